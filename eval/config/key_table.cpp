@@ -68,9 +68,8 @@ std::string nearest_word(const std::string& word, const std::vector<std::string>
   std::size_t best_distance = std::max<std::size_t>(3, word.size() / 3) + 1;
   for (const std::string& candidate : candidates) {
     // A right name in a wrong group is nearer than any misspelling.
-    const std::size_t distance = last_part(candidate) == last_part(word)
-                                     ? 1
-                                     : edit_distance(word, candidate);
+    const std::size_t distance =
+        last_part(candidate) == last_part(word) ? 1 : edit_distance(word, candidate);
     if (distance < best_distance) {
       best_distance = distance;
       best = candidate;

@@ -78,10 +78,9 @@ void ScenarioReader::field(const Field& field, std::string& value, const Choices
   value = *text;
   if (choices.empty() || std::find(choices.begin(), choices.end(), value) != choices.end()) return;
   const std::string near = nearest_word(value, choices);
-  throw UserError(fmt::format("{}: {} = \"{}\" is not known{}; it may be {}", given->place,
-                              known_.back(), value,
-                              near.empty() ? "" : fmt::format("; did you mean \"{}\"?", near),
-                              fmt::join(choices, ", ")));
+  throw UserError(fmt::format(
+      "{}: {} = \"{}\" is not known{}; it may be {}", given->place, known_.back(), value,
+      near.empty() ? "" : fmt::format("; did you mean \"{}\"?", near), fmt::join(choices, ", ")));
 }
 
 void ScenarioReader::field(const Field& field, std::vector<double>& value, Range range) {
@@ -119,9 +118,9 @@ void ScenarioReader::check_all_read() const {
   for (const auto& [key, given] : values_) {
     if (std::find(known_.begin(), known_.end(), key) != known_.end()) continue;
     const std::string near = nearest_word(key, known_);
-    throw UserError(fmt::format(
-        "{}: unknown key {}{}; `honka scenario show FILE` lists every key", given.place, key,
-        near.empty() ? "" : fmt::format("; did you mean {}?", near)));
+    throw UserError(fmt::format("{}: unknown key {}{}; `honka scenario show FILE` lists every key",
+                                given.place, key,
+                                near.empty() ? "" : fmt::format("; did you mean {}?", near)));
   }
 }
 

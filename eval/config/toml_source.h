@@ -9,7 +9,8 @@
 
 namespace honka::eval {
 
-/// A value with the place it came from: "scenarios/quick.toml:12:9" or "-s forest.density_per_ha=3".
+/// A value with the place it came from: "scenarios/quick.toml:12:9" or "-s
+/// forest.density_per_ha=3".
 struct LocatedValue {
   Value value;
   std::string place;

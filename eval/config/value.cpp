@@ -48,7 +48,7 @@ std::string format_value(const Value& value) { return std::visit(Formatter{}, va
 
 std::string_view kind_of(const Value& value) {
   constexpr std::array<std::string_view, 6> kKinds = {
-      "true or false", "a whole number",  "a number",
+      "true or false", "a whole number",    "a number",
       "a text",        "a list of numbers", "a list of whole numbers"};
   return kKinds[value.index()];
 }
