@@ -1,0 +1,165 @@
+#include "algo/localize/li2020/li2020.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <optional>
+#include <set>
+#include <utility>
+
+#include "algo/localize/li2020/star_pose.h"
+#include "algo/types/user_error.h"
+
+namespace honka {
+namespace {
+
+using Points = std::vector<Eigen::Vector2d>;
+
+/// Whole metres near the middle: subtracting them loses no digits of UTM-sized coordinates.
+Eigen::Vector2d middle_of(const Points& points) {
+  if (points.empty()) return Eigen::Vector2d::Zero();
+  Eigen::Vector2d low = points[0];
+  Eigen::Vector2d high = points[0];
+  for (const Eigen::Vector2d& p : points) {
+    low = low.cwiseMin(p);
+    high = high.cwiseMax(p);
+  }
+  const Eigen::Vector2d middle = (0.5 * (low + high)).array().round();
+  return middle.allFinite() ? middle : Eigen::Vector2d::Zero();
+}
+
+Points moved(Points points, const Eigen::Vector2d& by) {
+  for (Eigen::Vector2d& p : points) p += by;
+  return points;
+}
+
+void check_word(std::string_view key, std::string_view word, std::string_view a,
+                std::string_view b) {
+  if (word == a || word == b) return;
+  throw UserError(fmt::format("li2020.{} is \"{}\"; choose {} or {}", key, word, a, b));
+}
+
+/// From centred coordinates back to those of the lists that were given.
+void restore_frames(StarMatch& match, const Eigen::Vector2d& local_centre,
+                    const Eigen::Vector2d& map_centre) {
+  match.printed_translation_m += map_centre - local_centre;
+  match.translation_m += map_centre - Eigen::Rotation2Dd(match.theta_rad) * local_centre;
+}
+
+int count_inliers(const std::vector<StarMatch>& matches) {
+  std::set<std::int32_t> stems;
+  for (const StarMatch& match : matches) {
+    if (!match.agrees) continue;
+    for (const VertexPair& pair : match.pairs) stems.insert(pair.local);
+  }
+  return static_cast<int>(stems.size());
+}
+
+}  // namespace
+
+Li2020Matcher::Li2020Matcher(const Points& stems_in_map_m, Li2020Settings settings)
+    : settings_(std::move(settings)), centre_m_(middle_of(stems_in_map_m)) {
+  check_word("pairing", settings_.pairing, "similar_edge", "least_side_sum");
+  check_word("selection", settings_.selection, "candidates", "box");
+  if (settings_.pairing == "least_side_sum") pairing_ = Pairing::kLeastSideSum;
+  map_ = build_delaunay(moved(stems_in_map_m, -centre_m_));
+  index_ = StarIndex(stars_of(map_, StarChoice::kThreeNeighbours));
+  if (index_.stars().empty()) {
+    throw UserError(fmt::format(
+        "the map has {} stems and no triangle with three neighbours; give a map of more stems",
+        stems_in_map_m.size()));
+  }
+}
+
+Li2020Matcher::Candidate Li2020Matcher::make_candidate(const TriangleStar& local,
+                                                       const DelaunayGraph& graph,
+                                                       const TriangleStar& map,
+                                                       const StarLikeness& like) const {
+  Candidate c;
+  c.match.local_triangle = local.triangle;
+  c.match.map_triangle = map.triangle;
+  c.match.rotation = like.rotation;
+  c.match.dissimilarity_m2 = like.dissimilarity_m2;
+  c.match.pairs = pair_vertices(local, graph.vertices, map, map_.vertices, pairing_);
+  for (std::size_t j = 0; j < 6; ++j) {
+    c.pose.local_m[j] = graph.vertices[static_cast<std::size_t>(c.match.pairs[j].local)];
+    c.pose.map_m[j] = map_.vertices[static_cast<std::size_t>(c.match.pairs[j].map)];
+  }
+  const StarPose pose = star_pose(c.pose.local_m, c.pose.map_m);
+  c.match.theta_rad = pose.theta_rad;
+  c.match.printed_translation_m = pose.printed_translation_m;
+  c.match.translation_m = pose.translation_m;
+  c.match.cost_m = pose.cost_m;
+  c.pose.T_map_local = {pose.translation_m, pose.theta_rad};
+  return c;
+}
+
+std::vector<Li2020Matcher::Candidate> Li2020Matcher::match_stars(
+    const std::vector<TriangleStar>& local_stars, const DelaunayGraph& graph,
+    int& candidates) const {
+  const double gate_m = settings_.vertex_gate_m;
+  std::vector<Candidate> kept;
+  std::vector<std::size_t> found;
+  for (const TriangleStar& local : local_stars) {
+    found.clear();
+    index_.find(local, settings_.tolerance_m2, found);
+    std::optional<Candidate> best;
+    for (const std::size_t i : found) {
+      const TriangleStar& map = index_.stars()[i];
+      const auto like = compare_stars(local, map, settings_.tolerance_m2,
+                                      static_cast<int>(settings_.neighbours_required));
+      if (!like) continue;
+      ++candidates;
+      if (best && like->dissimilarity_m2 >= best->match.dissimilarity_m2) continue;
+      Candidate c = make_candidate(local, graph, map, *like);
+      if (gate_m > 0.0 && largest_residual_m(c.pose, c.pose.T_map_local) > gate_m) continue;
+      best = std::move(c);
+    }
+    if (best) kept.push_back(std::move(*best));
+  }
+  return kept;
+}
+
+LocateResult Li2020Matcher::locate(const Points& stems_in_local_m) const {
+  LocateResult result;
+  result.stems = static_cast<int>(stems_in_local_m.size());
+
+  // Local graph and its stars (Li2020 §2.7, §2.8)
+  const Eigen::Vector2d centre = middle_of(stems_in_local_m);
+  const DelaunayGraph graph = build_delaunay(moved(stems_in_local_m, -centre));
+  const auto local_stars = stars_of(graph, StarChoice::kNoHullVertex);
+  result.local_stars = static_cast<int>(local_stars.size());
+  if (local_stars.empty()) return result;
+
+  // Matches, each with the pose of Eqs. (1)–(3)
+  const auto kept = match_stars(local_stars, graph, result.candidates);
+  result.matches = static_cast<int>(kept.size());
+  result.verdict = Verdict::kNotInMap;
+  if (kept.empty()) return result;
+
+  // The pose of Eq. (4) and the matches that agree with it
+  std::vector<PoseCandidate> poses;
+  for (const Candidate& c : kept) poses.push_back(c.pose);
+  const Selection selection =
+      settings_.selection == "box" ? select_in_box(poses) : select_candidate(poses);
+  for (const Candidate& c : kept) {
+    StarMatch match = c.match;
+    match.residual_m = mean_residual_m(c.pose, selection.T_map_local);
+    match.agrees = match.residual_m < settings_.agreement_m;
+    result.agreeing += match.agrees ? 1 : 0;
+    restore_frames(match, centre, centre_m_);
+    result.star_matches.push_back(match);
+  }
+  result.chosen = static_cast<int>(selection.chosen);
+  result.cost_m = selection.cost_m;
+  result.inliers = count_inliers(result.star_matches);
+  result.margin = static_cast<double>(result.agreeing) / static_cast<double>(result.matches);
+  const double yaw = selection.T_map_local.yaw_rad;
+  result.T_map_local = {
+      selection.T_map_local.translation_m + centre_m_ - Eigen::Rotation2Dd(yaw) * centre,
+      wrap_to_pi(yaw)};
+  if (result.agreeing >= settings_.min_agreeing) result.verdict = Verdict::kAccepted;
+  return result;
+}
+
+}  // namespace honka

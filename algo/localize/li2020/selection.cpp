@@ -1,0 +1,131 @@
+#include "algo/localize/li2020/selection.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "algo/types/check.h"
+
+namespace honka {
+namespace {
+
+/// A pose with its sine and cosine taken once.
+struct Motion {
+  explicit Motion(const Pose2& T)
+      : cosine(std::cos(T.yaw_rad)), sine(std::sin(T.yaw_rad)), t(T.translation_m) {}
+
+  [[nodiscard]] double residual(const Eigen::Vector2d& local, const Eigen::Vector2d& map) const {
+    const double dx = cosine * local.x() - sine * local.y() + t.x() - map.x();
+    const double dy = sine * local.x() + cosine * local.y() + t.y() - map.y();
+    return std::sqrt(dx * dx + dy * dy);
+  }
+
+  double cosine;
+  double sine;
+  Eigen::Vector2d t;
+};
+
+// Li2020 Eq. (4): the sum runs over all six vertices of all m matches. In the preprint's bracket
+// the ones of the homogeneous vertices cancel and x, y have no effect; the journal's is meant.
+double cost_of(const std::vector<PoseCandidate>& candidates, const Pose2& T_map_local) {
+  const Motion motion(T_map_local);
+  double cost = 0.0;
+  for (const PoseCandidate& c : candidates) {
+    for (std::size_t j = 0; j < 6; ++j) cost += motion.residual(c.local_m[j], c.map_m[j]);
+  }
+  return cost;
+}
+
+/// Closed-form pose of least Σ w |R V + t − V'|², weights 1 / residual at the pose before.
+Pose2 reweighted_step(const std::vector<PoseCandidate>& candidates, const Pose2& before) {
+  constexpr double kLeastResidual_m = 1e-6;  // keeps the weight of an exact pair finite
+  const Motion motion(before);
+  double weights = 0.0;
+  Eigen::Vector2d local_mean = Eigen::Vector2d::Zero();
+  Eigen::Vector2d map_mean = Eigen::Vector2d::Zero();
+  double dot = 0.0;
+  double cross = 0.0;
+  for (const PoseCandidate& c : candidates) {
+    for (std::size_t j = 0; j < 6; ++j) {
+      const Eigen::Vector2d& v = c.local_m[j];
+      const Eigen::Vector2d& u = c.map_m[j];
+      const double w = 1.0 / std::max(motion.residual(v, u), kLeastResidual_m);
+      weights += w;
+      local_mean += w * v;
+      map_mean += w * u;
+      dot += w * v.dot(u);
+      cross += w * (v.x() * u.y() - v.y() * u.x());
+    }
+  }
+  local_mean /= weights;
+  map_mean /= weights;
+  dot -= weights * local_mean.dot(map_mean);
+  cross -= weights * (local_mean.x() * map_mean.y() - local_mean.y() * map_mean.x());
+  const double yaw = std::atan2(cross, dot);
+  return {map_mean - Eigen::Rotation2Dd(yaw) * local_mean, yaw};
+}
+
+/// The ranges of angle (relative to a reference) and translation that the candidates span.
+struct Box {
+  Box(const std::vector<PoseCandidate>& candidates, double reference) : reference_rad(reference) {
+    for (const PoseCandidate& c : candidates) {
+      const double turn = wrap_to_pi(c.T_map_local.yaw_rad - reference);
+      low_rad = std::min(low_rad, turn);
+      high_rad = std::max(high_rad, turn);
+      low_m = low_m.cwiseMin(c.T_map_local.translation_m);
+      high_m = high_m.cwiseMax(c.T_map_local.translation_m);
+    }
+  }
+
+  [[nodiscard]] Pose2 clamp(const Pose2& T) const {
+    const double turn = std::clamp(wrap_to_pi(T.yaw_rad - reference_rad), low_rad, high_rad);
+    return {T.translation_m.cwiseMax(low_m).cwiseMin(high_m), wrap_to_pi(reference_rad + turn)};
+  }
+
+  double reference_rad;
+  double low_rad = 0.0;
+  double high_rad = 0.0;
+  Eigen::Vector2d low_m = Eigen::Vector2d::Constant(INFINITY);
+  Eigen::Vector2d high_m = Eigen::Vector2d::Constant(-INFINITY);
+};
+
+}  // namespace
+
+double mean_residual_m(const PoseCandidate& candidate, const Pose2& T_map_local) {
+  return cost_of({candidate}, T_map_local) / 6.0;
+}
+
+double largest_residual_m(const PoseCandidate& candidate, const Pose2& T_map_local) {
+  const Motion motion(T_map_local);
+  double largest = 0.0;
+  for (std::size_t j = 0; j < 6; ++j) {
+    largest = std::max(largest, motion.residual(candidate.local_m[j], candidate.map_m[j]));
+  }
+  return largest;
+}
+
+Selection select_candidate(const std::vector<PoseCandidate>& candidates) {
+  HONKA_CHECK(!candidates.empty(), "a choice among no candidates");
+  Selection best{0, candidates[0].T_map_local, INFINITY};
+  for (std::size_t k = 0; k < candidates.size(); ++k) {
+    const double cost = cost_of(candidates, candidates[k].T_map_local);
+    if (cost < best.cost_m) best = {k, candidates[k].T_map_local, cost};
+  }
+  return best;
+}
+
+Selection select_in_box(const std::vector<PoseCandidate>& candidates) {
+  constexpr int kMostSteps = 100;
+  constexpr double kLeastGain_m = 1e-9;
+  Selection best = select_candidate(candidates);
+  const Box box(candidates, best.T_map_local.yaw_rad);
+  for (int step = 0; step < kMostSteps; ++step) {
+    const Pose2 pose = box.clamp(reweighted_step(candidates, best.T_map_local));
+    const double cost = cost_of(candidates, pose);
+    if (!(cost < best.cost_m - kLeastGain_m)) break;
+    best.T_map_local = pose;
+    best.cost_m = cost;
+  }
+  return best;
+}
+
+}  // namespace honka

@@ -1,0 +1,29 @@
+#include "algo/localize/li2020/settings.h"
+
+namespace honka {
+
+void describe(SettingsVisitor& v, Li2020Settings& s) {
+  v.field({"tolerance_m2", "m2", "largest |dA| + |dL²| of a triangle pair, centre and neighbours",
+           "choice: Li2020 prints none; 3.5–4.5 comes nearest to its figures"},
+          s.tolerance_m2, Range{0.0, 1e4});
+  v.field({"neighbours_required", "", "neighbours of three that must be within the tolerance",
+           "Li2020 §2.8; fewer than 3 ruins the pose"},
+          s.neighbours_required, Range{1.0, 3.0});
+  v.field({"pairing", "", "corner pairs: the closest of 9 sides, or the rotation of least side sum",
+           "Li2020 Eq. (2); least_side_sum is a variant"},
+          s.pairing, {"similar_edge", "least_side_sum"});
+  v.field({"vertex_gate_m", "m", "drop matches with a vertex residual above this; 0 is off",
+           "variant of Li2020 §2.8.2; 0.3 helps"},
+          s.vertex_gate_m, Range{0.0, 100.0});
+  v.field({"selection", "", "Eq. (4) over the matches' own poses, or continuous in their box",
+           "Li2020 Eq. (4)"},
+          s.selection, {"candidates", "box"});
+  v.field({"agreement_m", "m", "mean residual of a match's vertex pairs below which it agrees",
+           "choice: Li2020 does not define success"},
+          s.agreement_m, Range{0.0, 100.0});
+  v.field({"min_agreeing", "", "agreeing matches that make a pose accepted",
+           "choice: reproduces Li2020 Table 1 from its mean counts"},
+          s.min_agreeing, Range{1.0, 1e6});
+}
+
+}  // namespace honka
