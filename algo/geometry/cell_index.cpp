@@ -1,0 +1,112 @@
+#include "algo/geometry/cell_index.h"
+
+#include <cmath>
+#include <limits>
+
+#include "algo/types/check.h"
+#include "algo/types/random.h"
+
+namespace honka {
+namespace {
+
+constexpr std::uint32_t kEmpty = std::numeric_limits<std::uint32_t>::max();
+constexpr std::size_t kFirstSlots = 1024;
+
+template <class Point>
+Point lowest_of(std::span<const Point> points) {
+  if (points.empty()) return Point::Zero();
+  Point lowest = points.front();
+  for (const Point& p : points) lowest = lowest.cwiseMin(p);
+  return lowest;
+}
+
+template <class Point>
+Point highest_of(std::span<const Point> points) {
+  if (points.empty()) return Point::Zero();
+  Point highest = points.front();
+  for (const Point& p : points) highest = highest.cwiseMax(p);
+  return highest;
+}
+
+}  // namespace
+
+template <int Dim>
+CellLattice<Dim>::CellLattice(std::span<const Point> points, double side_m)
+    : CellLattice(lowest_of(points), highest_of(points), side_m) {}
+
+template <int Dim>
+CellLattice<Dim>::CellLattice(const Point& lowest_m, const Point& highest_m, double side_m)
+    : lowest_m_(lowest_m), cells_per_m_(1.0 / side_m) {
+  HONKA_CHECK(side_m > 0.0, "a cell needs a side");
+  check_extent(highest_m);
+}
+
+template <int Dim>
+void CellLattice<Dim>::check_extent(const Point& highest_m) const {
+  const double cells = (highest_m - lowest_m_).maxCoeff() * cells_per_m_ + 2.0 * kMargin + 1.0;
+  HONKA_CHECK(cells < std::ldexp(1.0, kBits), "points span too many cells for one key");
+}
+
+template <int Dim>
+std::uint64_t CellLattice<Dim>::key(const Point& point) const {
+  std::uint64_t key = 0;
+  for (int axis = 0; axis < Dim; ++axis) {
+    const double cell = (point[axis] - lowest_m_[axis]) * cells_per_m_;  // never negative
+    key += (static_cast<std::uint64_t>(cell) + kMargin) << (axis * kBits);
+  }
+  return key;
+}
+
+template <int Dim>
+std::uint64_t CellLattice<Dim>::step(const std::array<int, Dim>& cells) {
+  std::uint64_t sum = 0;  // wraps on purpose: adding it to a key subtracts negative steps
+  for (int axis = 0; axis < Dim; ++axis) {
+    sum += static_cast<std::uint64_t>(static_cast<std::int64_t>(cells[axis])) << (axis * kBits);
+  }
+  return sum;
+}
+
+CellIndex::CellIndex(std::span<const std::uint64_t> keys) : slots_(kFirstSlots, kEmpty) {
+  HONKA_CHECK(keys.size() < kEmpty, "too many items for 32-bit indices");
+  cell_of_.resize(keys.size());
+  for (std::size_t i = 0; i < keys.size(); ++i) {
+    std::uint32_t& cell = slots_[slot_of(keys[i])];
+    if (cell == kEmpty) {
+      cell = static_cast<std::uint32_t>(cell_keys_.size());
+      cell_keys_.push_back(keys[i]);
+      cell_of_[i] = cell;
+      if (2 * cell_keys_.size() > slots_.size()) grow();
+    } else {
+      cell_of_[i] = cell;
+    }
+  }
+  starts_.assign(cell_keys_.size() + 1, 0);
+  for (const std::uint32_t cell : cell_of_) ++starts_[cell + 1];
+  for (std::size_t c = 0; c < cell_keys_.size(); ++c) starts_[c + 1] += starts_[c];
+  members_.resize(keys.size());
+  std::vector<std::uint32_t> next(starts_.begin(), starts_.end() - 1);
+  for (std::uint32_t i = 0; i < keys.size(); ++i) members_[next[cell_of_[i]]++] = i;
+}
+
+std::optional<std::uint32_t> CellIndex::find(std::uint64_t key) const {
+  const std::uint32_t cell = slots_[slot_of(key)];
+  if (cell == kEmpty) return std::nullopt;
+  return cell;
+}
+
+std::size_t CellIndex::slot_of(std::uint64_t key) const {
+  const std::size_t mask = slots_.size() - 1;
+  std::size_t slot = mix64(key) & mask;
+  while (slots_[slot] != kEmpty && cell_keys_[slots_[slot]] != key) slot = (slot + 1) & mask;
+  return slot;
+}
+
+void CellIndex::grow() {
+  slots_.assign(2 * slots_.size(), kEmpty);
+  for (std::uint32_t c = 0; c < cell_keys_.size(); ++c) slots_[slot_of(cell_keys_[c])] = c;
+}
+
+template class CellLattice<2>;
+template class CellLattice<3>;
+
+}  // namespace honka
