@@ -1,0 +1,25 @@
+#pragma once
+
+// Shared by the .cpp files behind eval/io/hdf5.h and by nobody else.
+
+#include <hdf5.h>
+
+#include <filesystem>
+#include <string>
+
+#include "eval/io/hdf5.h"
+
+namespace honka::eval::h5 {
+
+/// UserError for a file whose content is not what it should be.
+[[noreturn]] void fail_read(const std::filesystem::path& file, const std::string& what);
+
+/// UserError for a failed write, with the system's reason as HDF5 knows it (a full disk).
+[[noreturn]] void fail_write(const std::filesystem::path& file);
+
+[[nodiscard]] inline H5Handle handle(hid_t id, herr_t (*close)(hid_t)) { return {id, close}; }
+
+/// Variable-length UTF-8, which h5py reads as str.
+[[nodiscard]] H5Handle utf8_type();
+
+}  // namespace honka::eval::h5
