@@ -41,9 +41,11 @@ std::optional<std::size_t> find_column(const Path& path, const CellRow& header,
     throw_at(path, header.front(), what + "; separate the columns by commas");
   }
   std::vector<std::string> names;
-  for (const Cell& cell : header) names.push_back(cell.text);
+  for (const Cell& cell : header) {
+    if (cell.text != "x_m" && cell.text != "y_m") names.push_back(cell.text);
+  }
   const auto nearest = did_you_mean(name, names);
-  if (nearest && *nearest != "x_m" && *nearest != "y_m") {
+  if (nearest) {
     const auto cell = std::find_if(header.begin(), header.end(),
                                    [&](const Cell& c) { return c.text == *nearest; });
     throw_at(path, *cell, what + "; did you mean '" + name + "' by '" + *nearest + "'?");
