@@ -19,7 +19,8 @@ constexpr double kLeastArc_rad = 0.5 * kPi;
 double median_of(std::vector<double> values) {
   const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
   std::nth_element(values.begin(), middle, values.end());
-  return *middle;
+  if (values.size() % 2 == 1) return *middle;
+  return 0.5 * (*middle + *std::max_element(values.begin(), middle));
 }
 
 Eigen::Vector2d mean_ray(std::span<const SeenPoint> points) {
