@@ -120,6 +120,12 @@ std::vector<Li2020Matcher::Candidate> Li2020Matcher::match_stars(
   return kept;
 }
 
+Selection Li2020Matcher::select(const std::vector<Candidate>& kept) const {
+  std::vector<PoseCandidate> poses;
+  for (const Candidate& c : kept) poses.push_back(c.pose);
+  return settings_.selection == "box" ? select_in_box(poses) : select_candidate(poses);
+}
+
 LocateResult Li2020Matcher::locate(const Points& stems_in_local_m) const {
   LocateResult result;
   result.stems = static_cast<int>(stems_in_local_m.size());
@@ -138,10 +144,7 @@ LocateResult Li2020Matcher::locate(const Points& stems_in_local_m) const {
   if (kept.empty()) return result;
 
   // The pose of Eq. (4) and the matches that agree with it
-  std::vector<PoseCandidate> poses;
-  for (const Candidate& c : kept) poses.push_back(c.pose);
-  const Selection selection =
-      settings_.selection == "box" ? select_in_box(poses) : select_candidate(poses);
+  const Selection selection = select(kept);
   for (const Candidate& c : kept) {
     StarMatch match = c.match;
     match.residual_m = mean_residual_m(c.pose, selection.T_map_local);

@@ -38,6 +38,7 @@ class Li2020Matcher final : public Matcher {
   [[nodiscard]] std::vector<Candidate> match_stars(const std::vector<TriangleStar>& local_stars,
                                                    const DelaunayGraph& graph,
                                                    int& candidates) const;
+  [[nodiscard]] Selection select(const std::vector<Candidate>& kept) const;
 
   Li2020Settings settings_;
   Pairing pairing_ = Pairing::kSimilarEdge;
