@@ -1,0 +1,174 @@
+#include "sim/lidar/embree_scene.h"
+
+#include <atomic>
+#include <chrono>
+#include <cmath>
+#include <cstring>
+#include <string>
+
+#include "algo/types/check.h"
+#include "algo/types/user_error.h"
+
+namespace honka::sim {
+namespace {
+
+// Geometry ids, in the order of attachment.
+constexpr unsigned kConeGeometry = 0;
+constexpr unsigned kEllipsoidGeometry = 1;
+constexpr unsigned kFirstMesh = 2;
+
+/// Largest side across which a piece of a cone may reach; measured: smaller costs memory, larger
+/// time.
+constexpr double kWidestPiece_m = 0.3;
+
+bool count_bytes(void* total, ssize_t bytes, bool) {
+  *static_cast<std::size_t*>(total) += static_cast<std::size_t>(bytes);
+  return true;
+}
+
+/// Tests one primitive against the valid rays of a packet (of one, for rtcIntersect1).
+template <typename Primitive>
+void intersect_user(const RTCIntersectFunctionNArguments* args) {
+  const Primitive& primitive = static_cast<const Primitive*>(args->geometryUserPtr)[args->primID];
+  RTCRayN* rays = RTCRayHitN_RayN(args->rayhit, args->N);
+  for (unsigned i = 0; i < args->N; ++i) {
+    if (args->valid[i] == 0) continue;
+    const unsigned n = args->N;
+    const Ray ray = {RTCRayN_org_x(rays, n, i), RTCRayN_org_y(rays, n, i),
+                     RTCRayN_org_z(rays, n, i), RTCRayN_dir_x(rays, n, i),
+                     RTCRayN_dir_y(rays, n, i), RTCRayN_dir_z(rays, n, i)};
+    float& far = RTCRayN_tfar(rays, n, i);
+    const double t = intersect(ray, primitive, RTCRayN_tnear(rays, n, i), far);
+    if (t == kNoHit) continue;
+    RTCHitN* hits = RTCRayHitN_HitN(args->rayhit, n);
+    far = static_cast<float>(t);
+    RTCHitN_geomID(hits, n, i) = args->geomID;
+    RTCHitN_primID(hits, n, i) = args->primID;
+  }
+}
+
+void set_bounds(const Box& box, RTCBounds* out) {
+  out->lower_x = box.low.x(), out->lower_y = box.low.y(), out->lower_z = box.low.z();
+  out->upper_x = box.high.x(), out->upper_y = box.high.y(), out->upper_z = box.high.z();
+}
+
+void cone_bounds(const RTCBoundsFunctionArguments* args) {
+  set_bounds(bounds(static_cast<const PackedCone*>(args->geometryUserPtr)[args->primID]),
+             args->bounds_o);
+}
+
+void ellipsoid_bounds(const RTCBoundsFunctionArguments* args) {
+  const auto& e = static_cast<const PackedEllipsoid*>(args->geometryUserPtr)[args->primID];
+  const Eigen::Vector3f centre(e.cx, e.cy, e.cz);
+  const Eigen::Vector3f half(std::hypot(e.hx * e.yaw_cos, e.hy * e.yaw_sin),
+                             std::hypot(e.hx * e.yaw_sin, e.hy * e.yaw_cos), e.hz);
+  const Eigen::Vector3f reach = half * 1.00001F + Eigen::Vector3f::Constant(1e-4F);
+  set_bounds({centre - reach, centre + reach}, args->bounds_o);
+}
+
+}  // namespace
+
+EmbreeScene::EmbreeScene(const World& world) {
+  const auto begin = std::chrono::steady_clock::now();
+  // One instruction set, so that triangles have the same digits on every machine.
+  device_ = rtcNewDevice("isa=avx2");
+  if (device_ == nullptr) throw RunError("lidar: Embree needs a processor with AVX2");
+  rtcSetDeviceMemoryMonitorFunction(device_, count_bytes, &embree_bytes_);
+  scene_ = rtcNewScene(device_);
+  attach_cones(world);
+  attach_ellipsoids(world);
+  for (const TriangleMesh& mesh : world.meshes) attach_mesh(mesh);
+  rtcCommitScene(scene_);
+  HONKA_CHECK(rtcGetDeviceError(device_) == RTC_ERROR_NONE, "Embree refused the scene");
+  statistics_.primitives = cones_.size() + ellipsoids_.size();
+  for (const TriangleMesh& mesh : world.meshes) statistics_.primitives += mesh.triangles.size();
+  statistics_.bytes = embree_bytes_ + cones_.size() * (sizeof(PackedCone) + sizeof(Label)) +
+                      ellipsoids_.size() * (sizeof(PackedEllipsoid) + sizeof(Label));
+  statistics_.seconds =
+      std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+}
+
+EmbreeScene::~EmbreeScene() {
+  rtcReleaseScene(scene_);
+  rtcSetDeviceMemoryMonitorFunction(device_, nullptr, nullptr);
+  rtcReleaseDevice(device_);
+}
+
+void EmbreeScene::attach_user_geometry(std::size_t count, void* data, RTCBoundsFunction bounds,
+                                       RTCIntersectFunctionN intersect) {
+  RTCGeometry geometry = rtcNewGeometry(device_, RTC_GEOMETRY_TYPE_USER);
+  rtcSetGeometryUserPrimitiveCount(geometry, static_cast<unsigned>(count));
+  rtcSetGeometryUserData(geometry, data);
+  rtcSetGeometryBoundsFunction(geometry, bounds, nullptr);
+  rtcSetGeometryIntersectFunction(geometry, intersect);
+  rtcCommitGeometry(geometry);
+  rtcAttachGeometry(scene_, geometry);
+  rtcReleaseGeometry(geometry);
+}
+
+void EmbreeScene::attach_cones(const World& world) {
+  ConePieces pieces = cut_into_pieces(world.cones, kWidestPiece_m);
+  cones_ = std::move(pieces.cones);
+  cone_labels_ = std::move(pieces.labels);
+  attach_user_geometry(cones_.size(), cones_.data(), cone_bounds, intersect_user<PackedCone>);
+}
+
+void EmbreeScene::attach_ellipsoids(const World& world) {
+  for (const Ellipsoid& e : world.ellipsoids) {
+    ellipsoids_.push_back(packed(e));
+    ellipsoid_labels_.push_back(e.label);
+  }
+  attach_user_geometry(ellipsoids_.size(), ellipsoids_.data(), ellipsoid_bounds,
+                       intersect_user<PackedEllipsoid>);
+}
+
+void EmbreeScene::attach_mesh(const TriangleMesh& mesh) {
+  RTCGeometry geometry = rtcNewGeometry(device_, RTC_GEOMETRY_TYPE_TRIANGLE);
+  void* vertices = rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3,
+                                           sizeof(Eigen::Vector3f), mesh.vertices_m.size());
+  void* triangles = rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3,
+                                            sizeof(mesh.triangles[0]), mesh.triangles.size());
+  HONKA_CHECK(vertices != nullptr && triangles != nullptr, "no memory for a mesh");
+  std::memcpy(vertices, mesh.vertices_m.data(), mesh.vertices_m.size() * sizeof(Eigen::Vector3f));
+  std::memcpy(triangles, mesh.triangles.data(), mesh.triangles.size() * sizeof(mesh.triangles[0]));
+  rtcCommitGeometry(geometry);
+  rtcAttachGeometry(scene_, geometry);
+  rtcReleaseGeometry(geometry);
+  mesh_labels_.push_back(mesh.label);
+}
+
+Hit EmbreeScene::cast(const Ray& ray, double far_m) const {
+  RTCIntersectContext context;
+  rtcInitIntersectContext(&context);
+  RTCRayHit query;
+  query.ray.org_x = static_cast<float>(ray.ox);
+  query.ray.org_y = static_cast<float>(ray.oy);
+  query.ray.org_z = static_cast<float>(ray.oz);
+  query.ray.dir_x = static_cast<float>(ray.dx);
+  query.ray.dir_y = static_cast<float>(ray.dy);
+  query.ray.dir_z = static_cast<float>(ray.dz);
+  query.ray.tnear = 0.0F;
+  query.ray.tfar = static_cast<float>(far_m);
+  query.ray.time = 0.0F;
+  query.ray.mask = ~0U;
+  query.ray.flags = 0;
+  query.hit.geomID = RTC_INVALID_GEOMETRY_ID;
+  rtcIntersect1(scene_, &context, &query);
+  const unsigned geometry = query.hit.geomID;
+  if (geometry == RTC_INVALID_GEOMETRY_ID) return {};
+  const unsigned primitive = query.hit.primID;
+  const double range = query.ray.tfar;
+  if (geometry == kConeGeometry) {
+    return {range, cone_labels_[primitive], incidence_cosine(ray, cones_[primitive], range)};
+  }
+  if (geometry == kEllipsoidGeometry) {
+    return {range, ellipsoid_labels_[primitive],
+            incidence_cosine(ray, ellipsoids_[primitive], range)};
+  }
+  const Eigen::Vector3d normal(query.hit.Ng_x, query.hit.Ng_y, query.hit.Ng_z);
+  const double cosine =
+      std::fabs(normal.dot(Eigen::Vector3d(ray.dx, ray.dy, ray.dz))) / normal.norm();
+  return {range, mesh_labels_[geometry - kFirstMesh], std::fmin(1.0, cosine)};
+}
+
+}  // namespace honka::sim

@@ -1,0 +1,55 @@
+#pragma once
+
+#include <embree3/rtcore.h>
+
+#include <cstddef>
+#include <vector>
+
+#include "sim/lidar/build_statistics.h"
+#include "sim/lidar/cone_pieces.h"
+#include "sim/lidar/ray_ellipsoid.h"
+#include "sim/world/world.h"
+
+namespace honka::sim {
+
+/// What a ray met.
+struct Hit {
+  double range_m = kNoHit;  ///< along the ray; kNoHit = nothing
+  Label label;
+  double incidence_cosine = 0.0;  ///< between the ray and the surface's normal, in [0, 1]
+};
+
+/// Everything that stands still, behind one Embree scene: cones and ellipsoids as user geometry
+/// with exact intersections in double precision, meshes as triangles. Const calls are thread-safe.
+class EmbreeScene {
+ public:
+  explicit EmbreeScene(const World& world);
+  ~EmbreeScene();
+  EmbreeScene(const EmbreeScene&) = delete;
+  EmbreeScene& operator=(const EmbreeScene&) = delete;
+
+  /// First surface along the ray nearer than `far_m`. The direction is a unit vector.
+  [[nodiscard]] Hit cast(const Ray& ray, double far_m) const;
+  [[nodiscard]] const BuildStatistics& statistics() const { return statistics_; }
+  /// For benchmarks: the bare scene.
+  [[nodiscard]] RTCScene handle() const { return scene_; }
+
+ private:
+  void attach_cones(const World& world);
+  void attach_ellipsoids(const World& world);
+  void attach_mesh(const TriangleMesh& mesh);
+  void attach_user_geometry(std::size_t count, void* data, RTCBoundsFunction bounds,
+                            RTCIntersectFunctionN intersect);
+
+  RTCDevice device_ = nullptr;
+  RTCScene scene_ = nullptr;
+  std::vector<PackedCone> cones_;
+  std::vector<Label> cone_labels_;
+  std::vector<PackedEllipsoid> ellipsoids_;
+  std::vector<Label> ellipsoid_labels_;
+  std::vector<Label> mesh_labels_;
+  std::size_t embree_bytes_ = 0;
+  BuildStatistics statistics_;
+};
+
+}  // namespace honka::sim

@@ -1,0 +1,48 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <span>
+
+#include "sim/lidar/lidar_simulator.h"
+#include "sim/lidar/occluders.h"
+#include "sim/lidar/shot_noise.h"
+#include "sim/lidar/sweep_poses.h"
+
+namespace honka::sim {
+
+/// Casts one sweep, firing by firing.
+class Shooter {
+ public:
+  Shooter(const LidarSimulator& lidar, const Trajectory& trajectory, std::int64_t sweep_index,
+          std::span<const Cone> occluders_in_lidar);
+
+  /// All lasers once; `firing` counts within the sweep, `offset_s` after the sweep's start.
+  void fire(std::uint32_t firing, double offset_s);
+  [[nodiscard]] TruthfulSweep take() { return std::move(result_); }
+
+ private:
+  using Beam = LidarSimulator::Beam;
+
+  void shoot(const Beam& beam, std::uint32_t firing, std::uint32_t laser, double offset_s);
+  /// Echoes of a shot by range; how many.
+  int trace(const Beam& beam, double offset_s);
+  [[nodiscard]] Hit cast(const Ray& in_lidar, double offset_s) const;
+  [[nodiscard]] Ray sub_ray(const Beam& beam, const SubRay& sub) const;
+  [[nodiscard]] SubHit received(const Hit& hit, double weight) const;
+  [[nodiscard]] bool detected(const Echo& echo, std::uint32_t bits) const;
+  void report(const Echo* echo, std::uint32_t laser, double offset_s, std::uint32_t noise_bits,
+              std::uint8_t number);
+
+  const LidarSimulator& lidar_;
+  const EmbreeScene& scene_;
+  SweepPoses poses_;
+  Occluders occluders_;
+  TruthfulSweep result_;
+  double half_view_rad_;
+  double head_cos_ = 1.0, head_sin_ = 0.0;  ///< of the azimuth at the firing's start
+  double shot_cos_ = 1.0, shot_sin_ = 0.0;  ///< of the azimuth of the current shot
+  Echoes echoes_;
+};
+
+}  // namespace honka::sim

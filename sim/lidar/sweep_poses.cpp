@@ -1,0 +1,35 @@
+#include "sim/lidar/sweep_poses.h"
+
+#include <cmath>
+
+namespace honka::sim {
+
+SweepPoses::SweepPoses(const Trajectory& trajectory, double start_time_s, double duration_s) {
+  const auto count = static_cast<std::size_t>(std::floor(duration_s / kKnot_s)) + 2;
+  knots_.reserve(count);
+  for (std::size_t i = 0; i < count; ++i) {
+    const Pose3 pose = trajectory.T_world_lidar(start_time_s + kKnot_s * static_cast<double>(i));
+    Matrix34 m;
+    for (std::size_t row = 0; row < 3; ++row) {
+      for (std::size_t column = 0; column < 4; ++column) {
+        m[4 * row + column] =
+            pose.matrix()(static_cast<Eigen::Index>(row), static_cast<Eigen::Index>(column));
+      }
+    }
+    knots_.push_back(m);
+  }
+}
+
+Pose3 SweepPoses::T_world_lidar(double offset_s) const {
+  Pose3 pose = Pose3::Identity();
+  for (int axis = 0; axis < 3; ++axis) {
+    Ray unit = {0, 0, 0, 0, 0, 0};
+    (axis == 0 ? unit.dx : axis == 1 ? unit.dy : unit.dz) = 1.0;
+    const Ray column = to_world(unit, offset_s);
+    pose.linear().col(axis) = Eigen::Vector3d(column.dx, column.dy, column.dz);
+    pose.translation() = Eigen::Vector3d(column.ox, column.oy, column.oz);
+  }
+  return pose;
+}
+
+}  // namespace honka::sim
