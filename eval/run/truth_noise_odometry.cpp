@@ -6,25 +6,6 @@
 
 namespace honka::eval {
 
-void describe(SettingsVisitor& v, OdometrySettings& s) {
-  v.field({"source", "", "where poses between key frames come from", "choice"}, s.source,
-          {"truth+noise"});
-  v.field({"drift_m", "m", "s.d. of the slow drift of x and of y",
-           "choice: map drift after lidar mapping of a stand"},
-          s.drift_m, {0, 100});
-  v.field({"drift_deg", "deg", "s.d. of the slow drift of yaw", "choice, as drift_m"}, s.drift_deg,
-          {0, 90});
-  v.field({"correlation_length_m", "m", "distance over which the drift forgets itself",
-           "choice: the spacing of strip roads"},
-          s.correlation_length_m, {0.1, 1e6});
-  v.field({"jitter_m", "m", "s.d. of x, y, z, independent at each key frame",
-           "choice: residual of scan-to-map registration"},
-          s.jitter_m, {0, 10});
-  v.field({"jitter_deg", "deg", "s.d. of roll, pitch, yaw, independent at each key frame",
-           "choice, as jitter_m"},
-          s.jitter_deg, {0, 90});
-}
-
 namespace {
 
 Eigen::Matrix3d rotation_of(double roll_rad, double pitch_rad, double yaw_rad) {

@@ -3,28 +3,14 @@
 #include <vector>
 
 #include "algo/types/pose.h"
-#include "algo/types/settings.h"
+#include "eval/config/experiment_settings.h"
 #include "sim/world/trajectory.h"
 
 namespace honka::eval {
 
 /// Odometry made of truth and noise, for studies and until a lidar odometry takes its place.
-///
-/// The error of a pose is a slow drift, a stationary first-order Gauss–Markov process over the
-/// distance travelled, and an independent jitter of every sweep (what one scan-to-map registration
-/// leaves). The drift is planar: x, y and yaw about the sensor.
-struct OdometrySettings {
-  std::string source = "truth+noise";
-  double drift_m = 0.10;             ///< s.d. of each of x and y
-  double drift_deg = 0.10;           ///< s.d. of yaw
-  double correlation_length_m = 50;  ///< of the drift
-  double jitter_m = 0.01;            ///< s.d. of each of x, y, z, of each key frame
-  double jitter_deg = 0.05;          ///< s.d. of each of roll, pitch, yaw, of each key frame
-};
-
-void describe(SettingsVisitor& v, OdometrySettings& s);
-
-/// Poses that an odometry would report for every sweep of a drive.
+/// The poses that it reports for every sweep of a drive; the model of its error stands beside
+/// OdometrySettings.
 class TruthNoiseOdometry {
  public:
   /// `sweeps` sweeps of `period_s`; the odometry frame is the world but for drift and jitter.

@@ -1,0 +1,107 @@
+#include <fmt/core.h>
+
+#include <map>
+
+#include "algo/localize/matcher.h"
+#include "algo/types/user_error.h"
+#include "eval/cli/verbs.h"
+#include "eval/config/scenario.h"
+#include "eval/run/experiment.h"
+
+namespace honka::eval {
+namespace {
+
+constexpr const char* kOverview =
+    R"(honka simulates a forest, a harvester and its lidar, runs localization
+on the scans and judges it against truth.
+
+First steps
+  honka run scenarios/quick.toml            half a minute: one stand, a table, a report
+  honka run scenarios/li2020/table1.toml    Table 1 of Li et al. 2020 at full size
+  honka locate MAP.csv LOCAL.csv            find your own stem list in your own stem map
+
+Verbs
+  run SCENARIO         tables, figures and report into results/
+  simulate SCENARIO    record scans and truth (HDF5)
+  locate MAP LOCAL…    the pose of each local stem list in the map
+  score RECORDING POSES [STEMS]   judge poses and stems made elsewhere
+  report DIR           write report.html of a results folder anew
+  scenario check|show|diff FILE   read a scenario, list its keys, compare two
+  help TOPIC           scenarios, experiments, formats, keys, or a verb
+
+Exit codes: 0 done (a refusal is an answer), 1 a comparison failed, 2 your input, 3 unfinished.
+)";
+
+constexpr const char* kScenarios =
+    R"(A scenario is one TOML file that fixes an experiment with its seed:
+
+  experiment = "localization"
+  trials = 3                      # stands
+  [forest]
+  density_per_ha = 500.0
+
+Every key left out keeps its default. See all of them, with units, ranges and sources:
+  honka scenario show scenarios/quick.toml
+Change one for a run:
+  honka run scenarios/quick.toml -s forest.density_per_ha=800 --out results/dense
+The same scenario and seed give the same digits, whatever the threads.
+)";
+
+constexpr const char* kFormats =
+    R"(Stem list (CSV)   '#' comments, a header, x_m,y_m and any of z_m,dbh_m,height_m; metres
+Poses (TUM)       t x y z qx qy qz qw, T_world_lidar; seconds, metres
+recording.h5      /sensor /sweeps /returns (u16 x 2 mm) and, apart, /truth
+results folder    summary.json (tables, metrics, digest), trials.h5 (one row a trial, one a
+                  localization), figures/ (NAME.gp redraws NAME), report.html
+Frames            world, map: x east, y north, z up. lidar: x ahead, y left, z up. T_a_b maps
+                  points given in b into a. Yaw counter-clockwise from x in (-pi, pi].
+Open trials.h5    pandas.DataFrame({k: v[:] for k, v in h5py.File("trials.h5")["frames"].items()})
+)";
+
+constexpr const char* kLocate =
+    R"(honka locate MAP.csv LOCAL.csv… [--method li2020] [--tolerance-m2 4.5] [--json]
+
+MAP.csv holds the stems of a map, each LOCAL.csv those seen from one place, with the sensor at the
+origin and x ahead. The answer is T_map_local: x_map = R(yaw) x_local + t. Refused lists say why.
+--json prints one object a local file: local, method, verdict, accepted, x_m, y_m, yaw_rad, stems,
+matches, agreeing, inliers, margin, time_ms; map_ms in the first.
+)";
+
+void print_experiments() {
+  fmt::print("experiment = \"…\" in a scenario may be:\n");
+  for (const Experiment& experiment : experiments()) {
+    fmt::print("  {:<14} {}\n", experiment.name, experiment.help);
+  }
+  fmt::print("\nlocalize.method may be:\n");
+  for (const std::string& name : matcher_names()) fmt::print("  {}\n", name);
+}
+
+void print_keys() {
+  for (const KeyEntry& entry : list_keys(Scenario{})) {
+    fmt::print("{:<40} {:<12} {}\n", entry.key, format_value(entry.value),
+               entry.help + (entry.unit.empty() ? "" : " [" + entry.unit + "]"));
+  }
+}
+
+}  // namespace
+
+int help_verb(const std::string& topic) {
+  static const std::map<std::string, const char*> kTopics = {
+      {"", kOverview},      {"scenarios", kScenarios}, {"scenario", kScenarios},
+      {"run", kScenarios},  {"formats", kFormats},     {"simulate", kFormats},
+      {"report", kFormats}, {"score", kFormats},       {"locate", kLocate},
+  };
+  if (topic == "experiments") {
+    print_experiments();
+  } else if (topic == "keys") {
+    print_keys();
+  } else if (const auto it = kTopics.find(topic); it != kTopics.end()) {
+    fmt::print("{}", it->second);
+  } else {
+    throw UserError("no help on \"" + topic +
+                    "\"; there is help on scenarios, experiments, formats, keys and each verb");
+  }
+  return 0;
+}
+
+}  // namespace honka::eval

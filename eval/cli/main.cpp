@@ -1,0 +1,136 @@
+#include <CLI/CLI.hpp>
+#include <cstdio>
+#include <exception>
+#include <functional>
+
+#include "algo/types/user_error.h"
+#include "eval/cli/verbs.h"
+
+namespace honka::eval {
+namespace {
+
+constexpr int kUserMistake = 2;
+constexpr int kUnfinished = 3;
+
+/// What the parsed command line asks for; empty until a verb was seen.
+using Action = std::function<int()>;
+
+void add_scenario_options(CLI::App& verb, ScenarioArguments& arguments) {
+  verb.add_option("SCENARIO", arguments.scenario, "scenario file (TOML)")->required();
+  verb.add_option("-s,--set", arguments.overrides, "key=value on top of the file, repeatable")
+      ->expected(1)
+      ->allow_extra_args(false)
+      ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+  verb.add_option("--seed", arguments.seed, "in place of the scenario's seed");
+}
+
+void add_run(CLI::App& app, RunArguments& arguments, Action& action) {
+  auto& verb = *app.add_subcommand("run", "run a scenario: tables, figures, report");
+  add_scenario_options(verb, arguments);
+  verb.add_option("--threads", arguments.threads, "0: as many as there are cores")
+      ->check(CLI::NonNegativeNumber);
+  verb.add_option("--trial", arguments.trial, "one trial (stand) alone")
+      ->check(CLI::NonNegativeNumber);
+  verb.add_option("--out", arguments.out, "folder of the results");
+  verb.callback([&] { action = [&] { return run_verb(arguments); }; });
+}
+
+void add_simulate(CLI::App& app, SimulateArguments& arguments, Action& action) {
+  auto& verb = *app.add_subcommand("simulate", "record a drive through a stand: scans and truth");
+  add_scenario_options(verb, arguments);
+  verb.add_option("--threads", arguments.threads, "0: as many as there are cores")
+      ->check(CLI::NonNegativeNumber);
+  verb.add_option("--out", arguments.out, "recording to write (.h5)")->required();
+  verb.callback([&] { action = [&] { return simulate_verb(arguments); }; });
+}
+
+void add_locate(CLI::App& app, LocateArguments& arguments, Action& action) {
+  auto& verb = *app.add_subcommand("locate", "find stem lists in a stem map");
+  verb.add_option("MAP", arguments.map, "stem list of the map (CSV)")->required();
+  verb.add_option("LOCAL", arguments.locals, "stem lists seen from the sensor (CSV)")->required();
+  verb.add_option("--method", arguments.method, "how: li2020");
+  verb.add_option("--tolerance-m2", arguments.tolerance_m2, "of a triangle and its neighbours")
+      ->check(CLI::NonNegativeNumber);
+  verb.add_flag("--json", arguments.json, "one JSON object a local file");
+  verb.callback([&] { action = [&] { return locate_verb(arguments); }; });
+}
+
+void add_score(CLI::App& app, ScoreArguments& arguments, Action& action) {
+  auto& verb = *app.add_subcommand("score", "judge a result made elsewhere against a recording");
+  verb.add_option("RECORDING", arguments.recording, "recording with truth (.h5)")->required();
+  verb.add_option("POSES", arguments.poses, "T_world_lidar as TUM rows")->required();
+  verb.add_option("STEMS", arguments.stems, "stem list in the world frame (CSV)");
+  verb.callback([&] { action = [&] { return score_verb(arguments); }; });
+}
+
+struct ScenarioVerbArguments {
+  ScenarioArguments check, show, diff;
+  std::filesystem::path other;
+};
+
+void add_scenario(CLI::App& app, ScenarioVerbArguments& arguments, Action& action) {
+  auto& verb = *app.add_subcommand("scenario", "check, show or compare scenario files");
+  verb.require_subcommand(1);
+  auto& check = *verb.add_subcommand("check", "read the file and say what is wrong with it");
+  add_scenario_options(check, arguments.check);
+  check.callback([&] { action = [&] { return scenario_check_verb(arguments.check); }; });
+  auto& show = *verb.add_subcommand("show", "every key with value, unit, origin and source");
+  add_scenario_options(show, arguments.show);
+  show.callback([&] { action = [&] { return scenario_show_verb(arguments.show); }; });
+  auto& diff = *verb.add_subcommand("diff", "the keys in which two scenarios differ");
+  add_scenario_options(diff, arguments.diff);
+  diff.add_option("OTHER", arguments.other, "the other file; left out: the defaults");
+  diff.callback(
+      [&] { action = [&] { return scenario_diff_verb(arguments.diff, arguments.other); }; });
+}
+
+int parse_and_act(int argc, char** argv) {
+  CLI::App app("honka: lidar localization and SLAM in forests, simulated and judged against truth");
+  app.set_version_flag("--version", "honka " HONKA_VERSION);
+  app.require_subcommand(0, 1);
+  RunArguments run;
+  SimulateArguments simulate;
+  LocateArguments locate;
+  ScoreArguments score;
+  ScenarioVerbArguments scenario;
+  std::filesystem::path report_folder;
+  std::string topic;
+  Action action = [&] { return help_verb(""); };
+  add_run(app, run, action);
+  add_simulate(app, simulate, action);
+  add_locate(app, locate, action);
+  add_score(app, score, action);
+  add_scenario(app, scenario, action);
+  auto& report = *app.add_subcommand("report", "write report.html of a results folder anew");
+  report.add_option("DIR", report_folder, "folder of the results")->required();
+  report.callback([&] { action = [&] { return report_verb(report_folder); }; });
+  auto& help = *app.add_subcommand("help", "what honka does and how");
+  help.add_option("TOPIC", topic, "a verb, or: scenarios, experiments, formats, keys");
+  help.callback([&] { action = [&] { return help_verb(topic); }; });
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    if (error.get_exit_code() == 0) return app.exit(error);
+    throw UserError(std::string(error.what()) + "; see honka help");
+  }
+  return action();
+}
+
+}  // namespace
+}  // namespace honka::eval
+
+int main(int argc, char** argv) {
+  try {
+    return honka::eval::parse_and_act(argc, argv);
+  } catch (const honka::UserError& error) {
+    std::fprintf(stderr, "honka: %s\n", error.what());
+    return honka::eval::kUserMistake;
+  } catch (const honka::RunError& error) {
+    std::fprintf(stderr, "honka: %s\n", error.what());
+    return honka::eval::kUnfinished;
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "honka: %s; please report this with the command that led to it\n",
+                 error.what());
+    return honka::eval::kUnfinished;
+  }
+}

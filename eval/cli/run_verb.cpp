@@ -1,0 +1,58 @@
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <thread>
+
+#include "eval/cli/verbs.h"
+#include "eval/config/scenario.h"
+#include "eval/run/experiment.h"
+#include "eval/run/simulate.h"
+
+namespace honka::eval {
+namespace {
+
+int thread_count(int asked) {
+  if (asked > 0) return asked;
+  return static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
+}
+
+/// The command that does this again, as a user would type it.
+std::string command_line(const RunArguments& arguments) {
+  std::string command = "honka run " + arguments.scenario.string();
+  for (const std::string& text : arguments.all_overrides()) command += " -s '" + text + "'";
+  if (arguments.trial) command += fmt::format(" --trial {}", *arguments.trial);
+  return command;
+}
+
+}  // namespace
+
+int run_verb(const RunArguments& arguments) {
+  RunRequest request;
+  request.resolved = load_scenario(arguments.scenario, arguments.all_overrides());
+  request.threads = thread_count(arguments.threads);
+  request.trial = arguments.trial;
+  request.out = arguments.out.empty() ? "results" / std::filesystem::path(request.resolved.name)
+                                      : arguments.out;
+  request.command = command_line(arguments);
+  const Experiment& experiment = find_experiment(request.resolved);
+  const RunOutcome outcome = experiment.run(request);
+  fmt::print("{}\nresults_digest {}\nReport: {}\n", outcome.table, outcome.digest,
+             (outcome.folder / "report.html").string());
+  return 0;
+}
+
+int simulate_verb(const SimulateArguments& arguments) {
+  const ResolvedScenario resolved = load_scenario(arguments.scenario, arguments.all_overrides());
+  const SimulateOutcome outcome =
+      simulate(resolved, arguments.out, thread_count(arguments.threads));
+  fmt::print(
+      "{}: {} sweeps, {} shots, {:.1f} % with a return\n"
+      "Judge a trajectory estimated from it: honka score {} POSES.tum\n",
+      arguments.out.string(), outcome.sweeps, outcome.shots,
+      100.0 * static_cast<double>(outcome.returns) /
+          static_cast<double>(std::max<std::int64_t>(1, outcome.shots)),
+      arguments.out.string());
+  return 0;
+}
+
+}  // namespace honka::eval

@@ -1,0 +1,55 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace honka::eval {
+
+/// A scenario file and what the command line puts on top of it.
+struct ScenarioArguments {
+  std::filesystem::path scenario;
+  std::vector<std::string> overrides;  ///< "key=value"
+  std::optional<std::int64_t> seed;
+
+  /// Overrides with the seed among them.
+  [[nodiscard]] std::vector<std::string> all_overrides() const;
+};
+
+struct RunArguments : ScenarioArguments {
+  int threads = 0;                    ///< 0: as many as there are cores
+  std::optional<std::int64_t> trial;  ///< this one alone
+  std::filesystem::path out;          ///< empty: results/<path of the scenario under scenarios/>
+};
+
+struct SimulateArguments : ScenarioArguments {
+  int threads = 0;
+  std::filesystem::path out;
+};
+
+struct LocateArguments {
+  std::filesystem::path map;
+  std::vector<std::filesystem::path> locals;
+  std::string method = "li2020";
+  double tolerance_m2 = 4.5;
+  bool json = false;
+};
+
+struct ScoreArguments {
+  std::filesystem::path recording, poses, stems;
+};
+
+/// Each verb returns the exit code of the program; the user's mistakes come as UserError.
+int run_verb(const RunArguments& arguments);
+int simulate_verb(const SimulateArguments& arguments);
+int locate_verb(const LocateArguments& arguments);
+int score_verb(const ScoreArguments& arguments);
+int report_verb(const std::filesystem::path& folder);
+int scenario_check_verb(const ScenarioArguments& arguments);
+int scenario_show_verb(const ScenarioArguments& arguments);
+int scenario_diff_verb(const ScenarioArguments& arguments, const std::filesystem::path& other);
+int help_verb(const std::string& topic);
+
+}  // namespace honka::eval

@@ -1,0 +1,114 @@
+#include "eval/config/scenario.h"
+
+#include <fmt/format.h>
+
+#include "algo/types/user_error.h"
+#include "eval/config/scenario_reader.h"
+#include "eval/io/csv.h"
+#include "eval/io/table.h"
+
+namespace honka::eval {
+namespace fs = std::filesystem;
+
+void describe(SettingsVisitor& v, Scenario& s) {
+  v.field({"experiment", "", "what is done; honka help experiments", "choice"}, s.experiment, {});
+  v.field({"title", "", "of the report", "choice"}, s.title, {});
+  v.field({"question", "", "that the experiment answers", "choice"}, s.question, {});
+  v.field({"seed", "", "of every random number", "choice"}, s.seed, {0, 9007199254740992.0});
+  v.field({"trials", "", "stands, each with its own forest and drives", "choice"}, s.trials,
+          {1, 1e6});
+  v.group("forest", [&] { describe(v, s.forest); });
+  v.group("lidar", [&] { describe(v, s.lidar); });
+  v.group("harvester", [&] { describe(v, s.harvester); });
+  v.group("odometry", [&] { describe(v, s.odometry); });
+  v.group("frame", [&] { describe(v, s.frame); });
+  v.group("stems", [&] { describe(v, s.stems); });
+  v.group("map", [&] { describe(v, s.map); });
+  v.group("localize", [&] { describe(v, s.localize); });
+  v.group("protocol", [&] { describe(v, s.protocol); });
+  v.group("variants", [&] { describe(v, s.variants); });
+  v.group("simulate", [&] { describe(v, s.simulate); });
+}
+
+namespace {
+
+/// Path below the nearest folder called "scenarios", without the extension.
+std::string scenario_name(const fs::path& file) {
+  const fs::path full = fs::weakly_canonical(file);
+  fs::path name = full.stem();
+  for (fs::path folder = full.parent_path(); folder.has_relative_path();
+       folder = folder.parent_path()) {
+    if (folder.filename() == "scenarios") return name.generic_string();
+    name = folder.filename() / name;
+  }
+  return full.stem().string();
+}
+
+/// A relative path counts from the present folder, then from the scenario's.
+fs::path find_data(const std::string& path, const fs::path& scenario_file) {
+  if (fs::exists(path)) return path;
+  const fs::path beside = scenario_file.parent_path() / path;
+  return fs::exists(beside) ? beside : fs::path(path);
+}
+
+std::string hash_of(const Scenario& scenario) {
+  std::string text;
+  for (const KeyEntry& entry : list_keys(scenario)) {
+    // What a scenario is called, and where its data lie, does not change its results.
+    if (entry.key == "title" || entry.key == "question" || entry.key == "forest.stem_map") continue;
+    text += entry.key + "=" + format_value(entry.value) + "\n";
+  }
+  if (scenario.measured) {
+    for (const Stem& stem : *scenario.measured) {
+      text += fmt::format("{},{},{},{}\n", stem.position_m.x(), stem.position_m.y(),
+                          stem.dbh_m.value_or(0.0), stem.height_m.value_or(0.0));
+    }
+  }
+  return sha256_hex(text);
+}
+
+}  // namespace
+
+ResolvedScenario load_scenario(const fs::path& file, const std::vector<std::string>& overrides) {
+  ResolvedScenario resolved;
+  resolved.file = file;
+  resolved.name = scenario_name(file);
+  LocatedValues values = read_toml(file);
+  for (const std::string& text : overrides) {
+    auto [key, value] = parse_override(text);
+    values[key] = std::move(value);
+  }
+  ScenarioReader reader(values);
+  Scenario& scenario = resolved.scenario;
+  describe(reader, scenario);
+  reader.check_all_read();
+  for (const auto& [key, value] : values) resolved.origins[key] = value.place;
+  if (!scenario.forest.stem_map.empty()) {
+    scenario.measured = read_stem_csv(find_data(scenario.forest.stem_map, file));
+  }
+  resolved.hash = hash_of(scenario);
+  return resolved;
+}
+
+std::vector<KeyEntry> list_keys(const Scenario& scenario) {
+  Scenario copy = scenario;
+  KeyTable table;
+  describe(table, copy);
+  return table.entries();
+}
+
+std::string to_toml(const Scenario& scenario) {
+  std::string text, group;
+  for (const KeyEntry& entry : list_keys(scenario)) {
+    const std::size_t dot = entry.key.find_last_of('.');
+    const std::string entry_group = dot == std::string::npos ? "" : entry.key.substr(0, dot);
+    if (entry_group != group) {
+      text += fmt::format("\n[{}]\n", entry_group);
+      group = entry_group;
+    }
+    text += fmt::format("{} = {}\n", entry.key.substr(dot + 1), format_value(entry.value));
+  }
+  return text;
+}
+
+}  // namespace honka::eval

@@ -1,0 +1,69 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "algo/localize/matcher.h"
+#include "algo/odometry/key_frames.h"
+#include "algo/stems/extract.h"
+#include "algo/types/settings.h"
+#include "algo/types/stem.h"
+#include "eval/config/experiment_settings.h"
+#include "eval/config/key_table.h"
+#include "sim/forest/settings.h"
+#include "sim/harvester/vehicle_settings.h"
+#include "sim/lidar/lidar_settings.h"
+
+namespace honka::eval {
+
+/// One reproducible experiment: all that a scenario file says.
+struct Scenario {
+  std::string experiment = "localization";
+  std::string title;
+  std::string question;
+  std::int64_t seed = 1;
+  std::int64_t trials = 3;
+  sim::ForestSettings forest;
+  sim::LidarSettings lidar;
+  sim::VehicleSettings harvester;
+  OdometrySettings odometry;
+  KeyFrameSettings frame;
+  StemSettings stems;
+  MapSettings map;
+  LocalizeSettings localize;
+  ProtocolSettings protocol;
+  VariantSettings variants;
+  SimulateSettings simulate;
+
+  std::optional<StemMap> measured;  ///< what forest.stem_map holds
+};
+
+void describe(SettingsVisitor& v, Scenario& s);
+
+/// Where the value of a key came from: "default", "file:line:column" or "-s key=value".
+using Origins = std::map<std::string, std::string>;
+
+/// A scenario as it was resolved, with what is needed to show and to cite it.
+struct ResolvedScenario {
+  Scenario scenario;
+  std::string name;  ///< path under scenarios/ without .toml, or the file's stem
+  std::filesystem::path file;
+  Origins origins;
+  std::string hash;  ///< SHA-256 over every key with its value, and over the measured stem map
+};
+
+/// Reads a scenario file and the overrides ("key=value") on top of it. UserError as in
+/// scenario_reader.h; also where forest.stem_map names no readable stem list.
+[[nodiscard]] ResolvedScenario load_scenario(const std::filesystem::path& file,
+                                             const std::vector<std::string>& overrides = {});
+
+/// Every key with value, unit, range, source of the default, in the order of description.
+[[nodiscard]] std::vector<KeyEntry> list_keys(const Scenario& scenario);
+
+/// The resolved scenario as a TOML file that reads back to the same settings.
+[[nodiscard]] std::string to_toml(const Scenario& scenario);
+
+}  // namespace honka::eval

@@ -1,0 +1,34 @@
+#include "eval/run/experiment.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "algo/types/user_error.h"
+#include "eval/run/localization_experiment.h"
+
+namespace honka::eval {
+
+const std::vector<Experiment>& experiments() {
+  static const std::vector<Experiment> kExperiments = {
+      {"localization", "Li et al. 2020, Table 1: windows of key frames found in a trunk map",
+       run_localization_experiment},
+  };
+  return kExperiments;
+}
+
+const Experiment& find_experiment(const ResolvedScenario& resolved) {
+  const std::string& name = resolved.scenario.experiment;
+  std::vector<std::string> names;
+  for (const Experiment& experiment : experiments()) {
+    if (experiment.name == name) return experiment;
+    names.push_back(experiment.name);
+  }
+  const auto origin = resolved.origins.find("experiment");
+  const std::string near = nearest_word(name, names);
+  throw UserError(fmt::format(
+      "{}: experiment = \"{}\" is not known{}; it may be {}",
+      origin == resolved.origins.end() ? resolved.file.string() : origin->second, name,
+      near.empty() ? "" : fmt::format("; did you mean \"{}\"?", near), fmt::join(names, ", ")));
+}
+
+}  // namespace honka::eval

@@ -1,0 +1,109 @@
+#include "eval/run/localization_trial.h"
+
+#include <fmt/format.h>
+
+#include "eval/metrics/stem_scores.h"
+#include "eval/run/progress.h"
+
+namespace honka::eval {
+namespace {
+
+struct MappedRun {
+  LocalCloud cloud;
+  std::vector<std::vector<Sweep>> scans;  ///< kept where asked for
+  ScanStatistics statistics;
+};
+
+/// Casts a drive's key frames into a map cloud, and keeps the scans if `keep_scans`.
+MappedRun scan_run(const Scenario& scenario, const TrialWorld& world, const Drive& drive,
+                   const std::string& what, int threads, bool keep_scans) {
+  Progress progress(what, "key frames", static_cast<std::int64_t>(drive.key_frames.size()));
+  KeyFrameSettings mapping = scenario.frame;
+  mapping.max_range_m = scenario.map.stems.max_range_m;
+  CloudMap map(scenario.map.stems.voxel_m);
+  MappedRun run;
+  cast_key_frames(*world.lidar, drive, threads, progress,
+                  [&](std::size_t k, std::vector<sim::TruthfulSweep> sweeps) {
+                    run.statistics.add(sweeps);
+                    std::vector<Sweep> scans = scans_of(std::move(sweeps));
+                    for (const PosedSweep& sweep : posed(drive.key_frames[k], scans)) {
+                      map.add(sweep, world.lidar->model(), mapping);
+                    }
+                    if (keep_scans) run.scans.push_back(std::move(scans));
+                  });
+  run.cloud = map.cloud();
+  return run;
+}
+
+/// Every trunk map that a variant asks for.
+std::vector<TrunkMap> make_maps(const Scenario& scenario, const LocalCloud& prior_cloud,
+                                const LocalCloud& work_cloud) {
+  StemSettings settings = scenario.map.stems;
+  settings.voxel_m = 0.0;  // the clouds are thinned already
+  const bool prior = scenario.map.source == "prior_run";
+  std::vector<TrunkMap> maps;
+  if (prior) maps.push_back(make_trunk_map("prior_run", prior_cloud, settings));
+  if (!prior || scenario.variants.same_run) {
+    maps.push_back(make_trunk_map("same_run", work_cloud, settings));
+  }
+  if (scenario.variants.repaired) {
+    maps.push_back(make_trunk_map(scenario.map.source, prior ? prior_cloud : work_cloud,
+                                  repaired(settings, "circle_fit")));
+  }
+  return maps;
+}
+
+std::vector<LocalizationRow> localize_all(const Scenario& scenario, const TrialExhibit& exhibit,
+                                          const StemMap& truth, std::int64_t trial, int threads) {
+  const auto& windows = exhibit.windows;
+  Progress progress(fmt::format("stand {}: localization", trial), "windows",
+                    static_cast<std::int64_t>(windows.size()));
+  std::vector<std::vector<LocalizationRow>> rows(windows.size());
+#pragma omp parallel for schedule(dynamic) num_threads(threads)
+  for (std::size_t i = 0; i < windows.size(); ++i) {
+    rows[i] =
+        localize_window(windows[i], exhibit.scans, exhibit.variants, scenario, {&truth, trial});
+#pragma omp critical
+    progress.advance();
+  }
+  std::vector<LocalizationRow> all;
+  for (auto& of_window : rows) all.insert(all.end(), of_window.begin(), of_window.end());
+  return all;
+}
+
+}  // namespace
+
+LocalizationTrial run_localization_trial(const Scenario& scenario, std::int64_t trial, int threads,
+                                         bool with_exhibit) {
+  auto exhibit = std::make_unique<TrialExhibit>();
+  // World and drives
+  exhibit->world = make_trial_world(scenario, trial);
+  const TrialWorld& world = exhibit->world;
+  const bool prior_run = scenario.map.source == "prior_run";
+  exhibit->work = make_drive("work", world.work_path, scenario.harvester, scenario, world);
+  if (prior_run) {
+    exhibit->prior = make_drive("prior", world.prior_path, scenario.map.prior_run, scenario, world);
+  }
+  // Scans
+  MappedRun prior = scan_run(scenario, world, exhibit->prior,
+                             fmt::format("stand {}: prior run", trial), threads, false);
+  MappedRun work = scan_run(scenario, world, exhibit->work,
+                            fmt::format("stand {}: localized run", trial), threads, true);
+  exhibit->scans = {&exhibit->work, &world.lidar->model(), std::move(work.scans)};
+  // Maps and matchers
+  exhibit->maps = make_maps(scenario, prior.cloud, work.cloud);
+  exhibit->variants = make_variants(scenario, exhibit->maps);
+  exhibit->map_cloud = std::move(prior_run ? prior.cloud : work.cloud);
+  // Localization
+  exhibit->windows = disjoint_windows(exhibit->work.key_frames.size(), scenario.protocol);
+  const StemMap truth = true_stems(world.stand);
+  const auto rows = localize_all(scenario, *exhibit, truth, trial, threads);
+
+  LocalizationTrial result{trial_table(), localization_table(), work.statistics, nullptr};
+  for (const LocalizationRow& row : rows) append(result.frames, row);
+  append_trial(result.trials, trial, *exhibit, truth, scenario);
+  if (with_exhibit) result.exhibit = std::move(exhibit);
+  return result;
+}
+
+}  // namespace honka::eval

@@ -1,0 +1,40 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "eval/config/scenario.h"
+#include "eval/io/table.h"
+#include "eval/run/scan_statistics.h"
+#include "eval/run/trunk_map.h"
+#include "eval/run/windows.h"
+
+namespace honka::eval {
+
+/// What one trial leaves for the figures of the report; large, so kept for one trial only.
+struct TrialExhibit {
+  TrialWorld world;
+  Drive prior, work;
+  ScannedRun scans;
+  LocalCloud map_cloud;
+  std::vector<TrunkMap> maps;
+  std::vector<Variant> variants;
+  std::vector<Window> windows;
+};
+
+/// Rows of one trial: one for /trials, one a localization for /frames.
+struct LocalizationTrial {
+  Table trials, frames;
+  ScanStatistics scan_statistics;
+  std::unique_ptr<TrialExhibit> exhibit;  ///< where it was asked for
+};
+
+/// The empty table of /trials; its columns are the schema.
+[[nodiscard]] Table trial_table();
+
+/// One stand from rays to answers. The digits depend on (scenario, trial) alone, whatever the
+/// threads.
+[[nodiscard]] LocalizationTrial run_localization_trial(const Scenario& scenario, std::int64_t trial,
+                                                       int threads, bool with_exhibit);
+
+}  // namespace honka::eval

@@ -1,0 +1,77 @@
+#include "eval/run/trunk_map.h"
+
+#include <fmt/format.h>
+
+#include <chrono>
+
+#include "algo/types/check.h"
+
+namespace honka::eval {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+const TrunkMap& find_map(const std::vector<TrunkMap>& maps, const std::string& source,
+                         bool is_repaired) {
+  for (const TrunkMap& map : maps) {
+    if (map.source == source && map.repaired == is_repaired) return map;
+  }
+  HONKA_CHECK(false, "no map of source " + source);
+}
+
+Variant make_variant(std::string name, const Scenario& scenario, const TrunkMap& map,
+                     double tolerance_m2, StemSettings stems) {
+  LocalizeSettings settings = scenario.localize;
+  settings.li2020.tolerance_m2 = tolerance_m2;
+  Variant variant{std::move(name), &map, tolerance_m2, std::move(stems), nullptr};
+  variant.matcher = create_matcher(settings.method, map.positions_m(), settings);
+  return variant;
+}
+
+}  // namespace
+
+std::vector<Eigen::Vector2d> TrunkMap::positions_m() const {
+  std::vector<Eigen::Vector2d> positions;
+  for (const ObservedStem& stem : stems) positions.push_back(stem.position_m);
+  return positions;
+}
+
+TrunkMap make_trunk_map(std::string source, const LocalCloud& cloud, const StemSettings& settings) {
+  const auto start = Clock::now();
+  TrunkMap map;
+  map.source = std::move(source);
+  map.repaired = settings.height_band;
+  map.stems = extract_stems(cloud, settings).stems;
+  map.graph = build_delaunay(map.positions_m());
+  map.extract_s = std::chrono::duration<double>(Clock::now() - start).count();
+  return map;
+}
+
+StemSettings repaired(StemSettings settings, const std::string& centre) {
+  settings.height_band = true;
+  settings.centre = centre;
+  return settings;
+}
+
+std::vector<Variant> make_variants(const Scenario& scenario, const std::vector<TrunkMap>& maps) {
+  const double tolerance_m2 = scenario.localize.li2020.tolerance_m2;
+  const TrunkMap& map = find_map(maps, scenario.map.source, false);
+  std::vector<Variant> variants;
+  variants.push_back(make_variant("default", scenario, map, tolerance_m2, scenario.stems));
+  if (scenario.variants.same_run && scenario.map.source != "same_run") {
+    variants.push_back(make_variant("same_run", scenario, find_map(maps, "same_run", false),
+                                    tolerance_m2, scenario.stems));
+  }
+  for (const double other_m2 : scenario.variants.tolerances_m2) {
+    if (other_m2 == tolerance_m2) continue;
+    variants.push_back(make_variant(fmt::format("tolerance_{}", other_m2), scenario, map, other_m2,
+                                    scenario.stems));
+  }
+  if (scenario.variants.repaired) {
+    variants.push_back(make_variant("repaired", scenario, find_map(maps, scenario.map.source, true),
+                                    tolerance_m2, repaired(scenario.stems, "bias_corrected")));
+  }
+  return variants;
+}
+
+}  // namespace honka::eval

@@ -1,0 +1,143 @@
+#include "eval/run/windows.h"
+
+#include <algorithm>
+#include <chrono>
+#include <optional>
+
+#include "algo/types/check.h"
+#include "eval/metrics/localization.h"
+#include "eval/metrics/stem_scores.h"
+#include "eval/run/star_survival.h"
+
+namespace honka::eval {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+double milliseconds_since(Clock::time_point start) {
+  return std::chrono::duration<double, std::milli>(Clock::now() - start).count();
+}
+
+/// Stems of a window's cloud by one form of Algorithm 1; variants that share it share this.
+struct LocalStems {
+  StemSettings settings;
+  std::vector<Eigen::Vector2d> stems_in_local_m;
+  DelaunayGraph graph;
+  double extract_ms = 0.0;
+};
+
+LocalStems find_stems(const LocalCloud& cloud, const StemSettings& settings) {
+  const auto start = Clock::now();
+  LocalStems local{settings, {}, {}, 0.0};
+  for (const ObservedStem& stem : extract_stems(cloud, settings).stems) {
+    local.stems_in_local_m.push_back(stem.position_m);
+  }
+  local.extract_ms = milliseconds_since(start);
+  local.graph = build_delaunay(local.stems_in_local_m);
+  return local;
+}
+
+void judge_stems(LocalizationRow& row, const LocalStems& local, const WindowTruth& truth,
+                 double gate_m) {
+  std::vector<Eigen::Vector2d> found_in_world, true_in_world;
+  for (const auto& stem : local.stems_in_local_m)
+    found_in_world.push_back(row.T_world_local * stem);
+  for (const Stem& stem : *truth.stems_in_world) true_in_world.push_back(stem.position_m);
+  const auto pairs = match_stems(found_in_world, true_in_world, gate_m);
+  row.stems_true = static_cast<int>(pairs.size());
+  double square_sum = 0.0;
+  for (const auto& pair : pairs) square_sum += pair.distance_m * pair.distance_m;
+  row.stem_rmse_m = pairs.empty() ? 0.0 : std::sqrt(square_sum / static_cast<double>(pairs.size()));
+}
+
+void judge_pose(LocalizationRow& row, const Pose2& T_odom_local, const ProtocolSettings& protocol) {
+  const PoseError to_truth = pose_error(row.T_map_local, row.T_world_local);
+  const PoseError to_odometry = pose_error(row.T_map_local, T_odom_local);
+  row.translation_error_m = to_truth.translation_m;
+  row.rotation_error_rad = to_truth.rotation_rad;
+  row.error_to_odometry_m = to_odometry.translation_m;
+  row.rotation_to_odometry_rad = to_odometry.rotation_rad;
+  row.success = row.accepted && to_truth.translation_m <= protocol.success_translation_m &&
+                to_truth.rotation_rad <= deg_to_rad(protocol.success_rotation_deg);
+}
+
+void localize(LocalizationRow& row, const Variant& variant, const LocalStems& local) {
+  const auto start = Clock::now();
+  const LocateResult result = variant.matcher->locate(local.stems_in_local_m);
+  row.match_ms = milliseconds_since(start);
+  row.extract_ms = local.extract_ms;
+  row.variant = variant.name;
+  row.map = variant.map->source;
+  row.tolerance_m2 = variant.tolerance_m2;
+  row.stems = static_cast<int>(local.stems_in_local_m.size());
+  row.matches = result.matches;
+  row.agreeing = result.agreeing;
+  row.verdict = verdict_name(result.verdict);
+  row.accepted = result.accepted();
+  row.T_map_local = result.T_map_local;
+}
+
+}  // namespace
+
+std::vector<Window> disjoint_windows(std::size_t key_frames, const ProtocolSettings& protocol) {
+  HONKA_CHECK(!protocol.frames.empty(), "a protocol needs at least one number of frames");
+  const auto width =
+      static_cast<std::size_t>(*std::max_element(protocol.frames.begin(), protocol.frames.end()));
+  const std::size_t available = key_frames / width;
+  const std::size_t wanted = protocol.windows == 0
+                                 ? available
+                                 : std::min(available, static_cast<std::size_t>(protocol.windows));
+  std::vector<Window> windows;
+  for (std::size_t i = 0; i < wanted; ++i) {
+    const std::size_t place = i * available / wanted;
+    windows.push_back({static_cast<std::int64_t>(i), place * width + width - 1});
+  }
+  return windows;
+}
+
+LocalCloud window_cloud(const ScannedRun& run, const Window& window, std::int64_t frames,
+                        const KeyFrameSettings& settings) {
+  std::vector<PosedSweep> sweeps;
+  const std::size_t first = window.last_key_frame + 1 - static_cast<std::size_t>(frames);
+  for (std::size_t k = first; k <= window.last_key_frame; ++k) {
+    const auto of_frame = posed(run.drive->key_frames[k], run.scans[k]);
+    sweeps.insert(sweeps.end(), of_frame.begin(), of_frame.end());
+  }
+  return aggregate(sweeps, *run.model, settings,
+                   run.drive->key_frames[window.last_key_frame].T_odom_lidar);
+}
+
+std::vector<LocalizationRow> localize_window(const Window& window, const ScannedRun& run,
+                                             const std::vector<Variant>& variants,
+                                             const Scenario& scenario, const WindowTruth& truth) {
+  const KeyFrame& reference = run.drive->key_frames[window.last_key_frame];
+  LocalizationRow row;
+  row.trial = truth.trial;
+  row.window = window.number;
+  row.T_world_local = planar(levelled(reference.T_world_lidar));
+  const Pose2 T_odom_local = planar(levelled(reference.T_odom_lidar));
+
+  std::vector<LocalizationRow> rows;
+  for (const std::int64_t frames : scenario.protocol.frames) {
+    row.frames = frames;
+    const auto start = Clock::now();
+    const LocalCloud cloud = window_cloud(run, window, frames, scenario.frame);
+    row.aggregate_ms = milliseconds_since(start);
+    std::optional<LocalStems> plain, repaired;
+    for (const Variant& variant : variants) {
+      std::optional<LocalStems>& local = variant.map->repaired ? repaired : plain;
+      if (!local) local = find_stems(cloud, variant.stems);
+      const StarSurvival stars = star_survival(local->graph, variant.map->graph, row.T_world_local,
+                                               scenario.protocol.stem_gate_m);
+      row.local_stars = stars.stars;
+      row.surviving_stars = stars.surviving;
+      localize(row, variant, *local);
+      judge_stems(row, *local, truth, scenario.protocol.stem_gate_m);
+      judge_pose(row, T_odom_local, scenario.protocol);
+      rows.push_back(row);
+    }
+  }
+  return rows;
+}
+
+}  // namespace honka::eval
