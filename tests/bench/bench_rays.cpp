@@ -1,0 +1,139 @@
+// Ray rates on the default scene, beside bare Embree on the same scene and the same rays.
+#include <benchmark/benchmark.h>
+
+#include <ctime>
+
+#include "sim/forest/forest.h"
+#include "sim/harvester/paths.h"
+#include "sim/harvester/vehicle.h"
+#include "sim/lidar/embree_scene.h"
+#include "sim/lidar/lidar_simulator.h"
+#include "sim/lidar/sweep_poses.h"
+
+namespace honka::sim {
+namespace {
+
+constexpr std::uint64_t kSeed = 1;
+constexpr int kSweeps = 12;
+
+/// The default stand (200 × 300 m) with the harvester at work in its middle.
+struct Scene {
+  ForestSettings forest;
+  Eigen::AlignedBox2d extent{Eigen::Vector2d(0, 0),
+                             Eigen::Vector2d(forest.width_m, forest.length_m)};
+  Polyline path = work_path(extent, 200.0, kSeed);
+  Stand stand = make_stand(forest, {path}, kSeed);
+  World world = make_world(stand, forest, kSeed);
+  Vehicle vehicle{path, stand.terrain, VehicleSettings(), kSeed};
+
+  static const Scene& get() {
+    static const Scene scene;
+    return scene;
+  }
+  /// Sweeps spread evenly over the drive.
+  [[nodiscard]] std::int64_t sweep(int i) const {
+    return static_cast<std::int64_t>(10.0 * vehicle.duration_s() * i / kSweeps);
+  }
+};
+
+double cpu_s() {
+  timespec now;
+  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
+  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
+}
+
+/// The rays of a cast sweep as Embree takes them, one a shot.
+std::vector<RTCRayHit> rays_of(const Sweep& sweep, const LidarModel& model,
+                               const Trajectory& trajectory, double far_m) {
+  const SweepPoses poses(trajectory, sweep.start_time_s, model.sweep_period_s() + 1e-3);
+  std::vector<RTCRayHit> rays;
+  for (const Return& r : sweep.returns) {
+    const Eigen::Vector3d d = model.direction(r.laser, sweep.azimuth_rad(r, model));
+    const Ray ray = poses.to_world({0, 0, 0, d.x(), d.y(), d.z()}, 1e-9 * r.time_offset_ns);
+    RTCRayHit query = {};
+    query.ray.org_x = static_cast<float>(ray.ox), query.ray.dir_x = static_cast<float>(ray.dx);
+    query.ray.org_y = static_cast<float>(ray.oy), query.ray.dir_y = static_cast<float>(ray.dy);
+    query.ray.org_z = static_cast<float>(ray.oz), query.ray.dir_z = static_cast<float>(ray.dz);
+    query.ray.tfar = static_cast<float>(far_m);
+    query.ray.mask = ~0U;
+    query.hit.geomID = RTC_INVALID_GEOMETRY_ID;
+    rays.push_back(query);
+  }
+  return rays;
+}
+
+void cast_bare(RTCScene scene, std::vector<RTCRayHit>& rays) {
+  for (RTCRayHit& ray : rays) {
+    RTCIntersectContext context;
+    rtcInitIntersectContext(&context);
+    rtcIntersect1(scene, &context, &ray);
+  }
+  benchmark::DoNotOptimize(rays.data());
+}
+
+/// Turn by turn: a sweep bare, the same sweep in full; one core. The ratio decides.
+void sweeps_beside_bare_embree(benchmark::State& state) {
+  const Scene& scene = Scene::get();
+  LidarSettings settings;
+  settings.sub_rays = 1;
+  const LidarSimulator lidar(scene.world, settings, kSeed);
+  const Trajectory& trajectory = scene.vehicle.trajectory();
+  double bare_s = 0.0, full_s = 0.0, rays = 0.0, hits = 0.0;
+  for (auto _ : state) {
+    for (int i = 0; i < kSweeps; ++i) {
+      const double start = cpu_s();
+      const TruthfulSweep sweep = lidar.cast(trajectory, scene.sweep(i));
+      full_s += cpu_s() - start;
+      std::vector<RTCRayHit> queries =
+          rays_of(sweep.sweep, lidar.model(), trajectory, settings.max_range_m);
+      const double bare_start = cpu_s();
+      cast_bare(lidar.scene().handle(), queries);
+      bare_s += cpu_s() - bare_start;
+      rays += static_cast<double>(queries.size());
+      for (const Return& r : sweep.sweep.returns) hits += r.range_ticks > 0 ? 1.0 : 0.0;
+    }
+  }
+  state.counters["bare_Mray_s"] = 1e-6 * rays / bare_s;
+  state.counters["full_Mray_s"] = 1e-6 * rays / full_s;
+  state.counters["ratio"] = bare_s / full_s;
+  state.counters["hit_share"] = hits / rays;
+}
+BENCHMARK(sweeps_beside_bare_embree)->Unit(benchmark::kMillisecond)->MinTime(3.0);
+
+/// Rays a second over the number of sub-rays a shot, with the machine's own crane in the way.
+void sweeps_by_sub_rays(benchmark::State& state) {
+  const Scene& scene = Scene::get();
+  LidarSettings settings;
+  settings.sub_rays = state.range(0);
+  settings.return_mode = "dual";
+  const LidarSimulator lidar(scene.world, settings, kSeed);
+  double rays = 0.0;
+  int i = 0;
+  for (auto _ : state) {
+    const std::int64_t sweep = scene.sweep(i++ % kSweeps);
+    const auto occluders = scene.vehicle.occluders_in_lidar(0.1 * static_cast<double>(sweep));
+    const TruthfulSweep result = lidar.cast(scene.vehicle.trajectory(), sweep, occluders);
+    rays += 0.5 * static_cast<double>(result.sweep.returns.size() *
+                                      static_cast<std::size_t>(settings.sub_rays));
+  }
+  state.counters["Mray_s"] = benchmark::Counter(1e-6 * rays, benchmark::Counter::kIsRate);
+}
+BENCHMARK(sweeps_by_sub_rays)->Arg(1)->Arg(5)->Arg(9)->Unit(benchmark::kMillisecond);
+
+/// Building the hierarchy over the default scene.
+void build_hierarchy(benchmark::State& state) {
+  const Scene& scene = Scene::get();
+  BuildStatistics statistics;
+  for (auto _ : state) {
+    const EmbreeScene built(scene.world);
+    statistics = built.statistics();
+  }
+  state.counters["MiB"] = static_cast<double>(statistics.bytes) / 1048576.0;
+  state.counters["primitives"] = static_cast<double>(statistics.primitives);
+  state.counters["trees"] = static_cast<double>(scene.stand.trees.size());
+  state.counters["cones"] = static_cast<double>(scene.world.cones.size());
+}
+BENCHMARK(build_hierarchy)->Unit(benchmark::kMillisecond);
+
+}  // namespace
+}  // namespace honka::sim
