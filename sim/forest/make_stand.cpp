@@ -51,11 +51,11 @@ Stand make_stand(const ForestSettings& settings, const std::vector<Polyline>& co
                                        Eigen::Vector2d(settings.width_m, settings.length_m));
   const Eigen::Vector2d margin = Eigen::Vector2d::Constant(settings.margin_m);
   const Eigen::AlignedBox2d box_m(stand.extent_m.min() - margin, stand.extent_m.max() + margin);
+  std::optional<MeasuredStand> plot;
+  if (measured != nullptr) plot = centred(*measured, stand.extent_m);
   stand.terrain = make_terrain(settings.terrain, stand.extent_m, settings.margin_m, seed);
 
   // Measured stems first; a road through them has been cut.
-  std::optional<MeasuredStand> plot;
-  if (measured != nullptr) plot = centred(*measured, stand.extent_m);
   SpacingDomain domain = make_domain(settings, box_m, corridors, plot);
   const TreeSettings trees = plot ? fitted_to(settings.trees, plot->stems) : settings.trees;
   if (plot) {

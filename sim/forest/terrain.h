@@ -13,8 +13,8 @@ struct TerrainSettings {
   double relief_wavelength_m = 180.0;
   double slope_deg = 0.0;
   double slope_direction_deg = 90.0;
-  double micro_relief_m = 0.06;
-  double micro_wavelength_m = 3.0;
+  double micro_relief_m = 0.05;
+  double micro_wavelength_m = 4.0;
   double cell_m = 1.0;
   double border_m = 30.0;
 };

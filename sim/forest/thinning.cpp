@@ -26,19 +26,19 @@ class Choice {
  public:
   Choice(const Stand& stand, const std::vector<bool>& standing, const ThinningSettings& settings,
          std::uint64_t seed)
-      : stand_(stand), standing_(standing), sd_(settings.judgement_sd), seed_(seed) {
-    Eigen::AlignedBox2d box_m = stand.extent_m;
+      : stand_(stand),
+        standing_(standing),
+        sd_(settings.judgement_sd),
+        seed_(seed),
+        box_m_(box_of(stand)),
+        reach_m_(2.0 * std::sqrt(box_m_.volume() / static_cast<double>(stand.trees.size() + 1))),
+        grid_(box_m_, reach_m_) {
     double sum_m = 0.0;
     for (const Tree& tree : stand.trees) {
-      box_m.extend(tree.base_m.head<2>());
+      grid_.add(tree.base_m.head<2>());
       sum_m += tree.dbh_m;
     }
-    const auto count = static_cast<double>(std::max<std::size_t>(1, stand.trees.size()));
-    mean_dbh_m_ = sum_m / count;
-    reach_m_ = 2.0 * std::sqrt(box_m.sizes().prod() / count);
-    for (const Tree& tree : stand.trees) places_m_.push_back(tree.base_m.head<2>());
-    grid_.emplace_back(box_m, reach_m_);
-    for (const auto& place_m : places_m_) grid_[0].add(place_m);
+    mean_dbh_m_ = sum_m / static_cast<double>(std::max<std::size_t>(1, stand.trees.size()));
   }
 
   /// Low for small and crowded trees: relative DBH times the distance to the nearest neighbour.
@@ -53,19 +53,28 @@ class Choice {
   /// Standing trees within the reach of tree i.
   template <typename Visit>
   void for_near(std::size_t i, const Visit& visit) const {
-    grid_[0].near(places_m_[i], [&](std::size_t j, double) {
-      const double d2 = (places_m_[i] - places_m_[j]).squaredNorm();
+    const Eigen::Vector2d place_m = grid_.points_m()[i];
+    grid_.near(place_m, [&](std::size_t j, double) {
+      // Not around the border: a thinned forest ends where it ends.
+      const double d2 = (place_m - grid_.points_m()[j]).squaredNorm();
       if (j != i && standing_[j] && d2 < reach_m_ * reach_m_) visit(j, d2);
     });
   }
 
  private:
+  static Eigen::AlignedBox2d box_of(const Stand& stand) {
+    Eigen::AlignedBox2d box_m = stand.extent_m;
+    for (const Tree& tree : stand.trees) box_m.extend(tree.base_m.head<2>().eval());
+    return box_m;
+  }
+
   const Stand& stand_;
   const std::vector<bool>& standing_;
-  double sd_, mean_dbh_m_ = 1.0, reach_m_ = 1.0;
+  double sd_ = 0.0, mean_dbh_m_ = 1.0;
   std::uint64_t seed_;
-  std::vector<Eigen::Vector2d> places_m_;
-  std::vector<TorusGrid> grid_;
+  Eigen::AlignedBox2d box_m_;
+  double reach_m_;
+  TorusGrid grid_;
 };
 
 /// Fells the tree of least worth, again and again, until `target` stand.

@@ -9,9 +9,9 @@ namespace honka::sim {
 /// fixed number of stems), the others stand anywhere.
 struct Patchy {
   static constexpr std::string_view kName = "patchy";
-  double patches_per_ha = 20.0;
-  double patch_sd_m = 4.0;
-  double clustered_share = 0.7;
+  double patches_per_ha = 15.0;
+  double patch_sd_m = 3.5;
+  double clustered_share = 0.75;
   double core_m = 0.5;
 
   /// UserError when the patches have no room for their stems.

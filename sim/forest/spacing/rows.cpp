@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "algo/types/angles.h"
+#include "algo/types/user_error.h"
 
 namespace honka::sim {
 namespace {
@@ -48,7 +49,13 @@ Points Rows::place(const SpacingDomain& domain, RandomStream& stream) const {
   const std::uint64_t seed = stream.bits64();
   double step_m = domain.spacing_m * std::sqrt(survival / row_ratio);
   Points nodes = free_nodes(domain, *this, step_m, seed);
-  while (static_cast<std::int64_t>(nodes.size()) < domain.count) {
+  constexpr int kTries = 300;  // down to a fifth of the asked spacing
+  for (int i = 0; static_cast<std::int64_t>(nodes.size()) < domain.count; ++i) {
+    if (i == kTries) {
+      throw UserError(
+          "forest.spacing.rows: the rows have no room at this density; lower "
+          "forest.density_per_ha or narrow the corridors");
+    }
     step_m *= 0.995;  // borders may have cost a few places: plant a little closer
     nodes = free_nodes(domain, *this, step_m, seed);
   }

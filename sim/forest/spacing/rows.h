@@ -13,6 +13,7 @@ struct Rows {
   double survival = 0.8;
   double direction_deg = 0.0;
 
+  /// UserError when the free ground has no room for the rows.
   [[nodiscard]] Points place(const SpacingDomain& domain, RandomStream& stream) const;
 };
 void describe(SettingsVisitor& v, Rows& s);
