@@ -1,10 +1,14 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
+#include <optional>
 #include <string>
 
 #include "algo/types/pose.h"
 #include "eval/io/table.h"
+#include "eval/metrics/stem_scores.h"
+#include "eval/run/stem_judgement.h"
 
 namespace honka::eval {
 
@@ -24,13 +28,16 @@ struct LocalizationRow {
   double translation_error_m = 0.0, rotation_error_rad = 0.0;  ///< of the answer, to truth
   double error_to_odometry_m = 0.0, rotation_to_odometry_rad = 0.0;
 
-  int stems_true = 0;        ///< of the found stems, those with a tree within the gate
-  double stem_rmse_m = 0.0;  ///< of these
-  double bound_m = 0.0;      ///< Cramér–Rao bound of the position, from the stems and their RMSE
+  std::array<DetectionScore, kStemRanges_m.size() - 1> detection;  ///< by range
+  std::optional<double> stem_rmse_m;  ///< position error of found stems that are trees
+  std::optional<double> bound_m;      ///< Cramér–Rao bound of the position
 
   double aggregate_ms = 0.0, extract_ms = 0.0, match_ms = 0.0;
   [[nodiscard]] double online_ms() const { return aggregate_ms + extract_ms + match_ms; }
 };
+
+/// "_10_20_m": ends the names of the columns of a range bin.
+[[nodiscard]] std::string range_suffix(std::size_t bin);
 
 /// The empty table of /frames; its columns are the schema.
 [[nodiscard]] Table localization_table();

@@ -2,8 +2,8 @@
 
 #include <fmt/format.h>
 
-#include "eval/metrics/stem_scores.h"
 #include "eval/run/progress.h"
+#include "eval/run/trial_row.h"
 
 namespace honka::eval {
 namespace {
@@ -101,7 +101,7 @@ LocalizationTrial run_localization_trial(const Scenario& scenario, std::int64_t 
 
   LocalizationTrial result{trial_table(), localization_table(), work.statistics, nullptr};
   for (const LocalizationRow& row : rows) append(result.frames, row);
-  append_trial(result.trials, trial, *exhibit, truth, scenario);
+  append_trial(result.trials, trial, *exhibit, work.statistics, truth, scenario);
   if (with_exhibit) result.exhibit = std::move(exhibit);
   return result;
 }

@@ -29,9 +29,6 @@ struct LocalizationTrial {
   std::unique_ptr<TrialExhibit> exhibit;  ///< where it was asked for
 };
 
-/// The empty table of /trials; its columns are the schema.
-[[nodiscard]] Table trial_table();
-
 /// One stand from rays to answers. The digits depend on (scenario, trial) alone, whatever the
 /// threads.
 [[nodiscard]] LocalizationTrial run_localization_trial(const Scenario& scenario, std::int64_t trial,

@@ -2,12 +2,15 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <optional>
 
 #include "algo/types/check.h"
 #include "eval/metrics/localization.h"
+#include "eval/metrics/statistics.h"
 #include "eval/metrics/stem_scores.h"
 #include "eval/run/star_survival.h"
+#include "eval/run/stem_judgement.h"
 
 namespace honka::eval {
 namespace {
@@ -20,34 +23,46 @@ double milliseconds_since(Clock::time_point start) {
 
 /// Stems of a window's cloud by one form of Algorithm 1; variants that share it share this.
 struct LocalStems {
-  StemSettings settings;
-  std::vector<Eigen::Vector2d> stems_in_local_m;
+  std::vector<ObservedStem> stems;
+  std::vector<Eigen::Vector2d> positions_m;
   DelaunayGraph graph;
+  StemScores scores;
   double extract_ms = 0.0;
 };
 
 LocalStems find_stems(const LocalCloud& cloud, const StemSettings& settings) {
   const auto start = Clock::now();
-  LocalStems local{settings, {}, {}, 0.0};
-  for (const ObservedStem& stem : extract_stems(cloud, settings).stems) {
-    local.stems_in_local_m.push_back(stem.position_m);
-  }
+  LocalStems local;
+  local.stems = extract_stems(cloud, settings).stems;
   local.extract_ms = milliseconds_since(start);
-  local.graph = build_delaunay(local.stems_in_local_m);
+  for (const ObservedStem& stem : local.stems) local.positions_m.push_back(stem.position_m);
+  local.graph = build_delaunay(local.positions_m);
   return local;
 }
 
-void judge_stems(LocalizationRow& row, const LocalStems& local, const WindowTruth& truth,
-                 double gate_m) {
-  std::vector<Eigen::Vector2d> found_in_world, true_in_world;
-  for (const auto& stem : local.stems_in_local_m)
-    found_in_world.push_back(row.T_world_local * stem);
-  for (const Stem& stem : *truth.stems_in_world) true_in_world.push_back(stem.position_m);
-  const auto pairs = match_stems(found_in_world, true_in_world, gate_m);
-  row.stems_true = static_cast<int>(pairs.size());
-  double square_sum = 0.0;
-  for (const auto& pair : pairs) square_sum += pair.distance_m * pair.distance_m;
-  row.stem_rmse_m = pairs.empty() ? 0.0 : std::sqrt(square_sum / static_cast<double>(pairs.size()));
+/// Cramér–Rao bound of the position, from the stems that stand in the map and the spread of their
+/// distances to it.
+std::optional<double> bound_m(const LocalStems& local, const TrunkMap& map,
+                              const Pose2& T_map_local, double gate_m) {
+  std::vector<Eigen::Vector2d> stems_in_map, partnered_in_local;
+  for (const auto& position : local.positions_m) stems_in_map.push_back(T_map_local * position);
+  std::vector<double> distances_m;
+  for (const StemPair& pair : match_stems(stems_in_map, map.positions_m(), gate_m)) {
+    partnered_in_local.push_back(local.positions_m[pair.found]);
+    distances_m.push_back(pair.distance_m);
+  }
+  const auto spread_m = rmse(distances_m);
+  if (!spread_m) return std::nullopt;
+  const auto bound = cramer_rao_bound(partnered_in_local, *spread_m / std::sqrt(2.0));
+  if (!bound) return std::nullopt;
+  return bound->translation_m;
+}
+
+void judge_stems(LocalizationRow& row, const LocalStems& local) {
+  for (std::size_t bin = 0; bin < row.detection.size(); ++bin) {
+    row.detection[bin] = local.scores.by_range[bin].detection;
+  }
+  row.stem_rmse_m = local.scores.position_rmse_m;
 }
 
 void judge_pose(LocalizationRow& row, const Pose2& T_odom_local, const ProtocolSettings& protocol) {
@@ -57,19 +72,20 @@ void judge_pose(LocalizationRow& row, const Pose2& T_odom_local, const ProtocolS
   row.rotation_error_rad = to_truth.rotation_rad;
   row.error_to_odometry_m = to_odometry.translation_m;
   row.rotation_to_odometry_rad = to_odometry.rotation_rad;
-  row.success = row.accepted && to_truth.translation_m <= protocol.success_translation_m &&
-                to_truth.rotation_rad <= deg_to_rad(protocol.success_rotation_deg);
+  row.success =
+      judge(row.accepted, to_truth, {protocol.success_translation_m, protocol.success_rotation_deg})
+          .success();
 }
 
 void localize(LocalizationRow& row, const Variant& variant, const LocalStems& local) {
   const auto start = Clock::now();
-  const LocateResult result = variant.matcher->locate(local.stems_in_local_m);
+  const LocateResult result = variant.matcher->locate(local.positions_m);
   row.match_ms = milliseconds_since(start);
   row.extract_ms = local.extract_ms;
   row.variant = variant.name;
   row.map = variant.map->source;
   row.tolerance_m2 = variant.tolerance_m2;
-  row.stems = static_cast<int>(local.stems_in_local_m.size());
+  row.stems = static_cast<int>(local.stems.size());
   row.matches = result.matches;
   row.agreeing = result.agreeing;
   row.verdict = verdict_name(result.verdict);
@@ -115,6 +131,7 @@ std::vector<LocalizationRow> localize_window(const Window& window, const Scanned
   row.trial = truth.trial;
   row.window = window.number;
   row.T_world_local = planar(levelled(reference.T_world_lidar));
+  const double gate_m = scenario.protocol.stem_gate_m;
   const Pose2 T_odom_local = planar(levelled(reference.T_odom_lidar));
 
   std::vector<LocalizationRow> rows;
@@ -126,13 +143,18 @@ std::vector<LocalizationRow> localize_window(const Window& window, const Scanned
     std::optional<LocalStems> plain, repaired;
     for (const Variant& variant : variants) {
       std::optional<LocalStems>& local = variant.map->repaired ? repaired : plain;
-      if (!local) local = find_stems(cloud, variant.stems);
-      const StarSurvival stars = star_survival(local->graph, variant.map->graph, row.T_world_local,
-                                               scenario.protocol.stem_gate_m);
+      if (!local) {
+        local = find_stems(cloud, variant.stems);
+        local->scores = score_window(local->stems, *truth.stems_in_world, row.T_world_local,
+                                     deg_to_rad(scenario.lidar.field_of_view_deg), gate_m);
+      }
+      const StarSurvival stars =
+          star_survival(local->graph, variant.map->graph, row.T_world_local, gate_m);
       row.local_stars = stars.stars;
       row.surviving_stars = stars.surviving;
       localize(row, variant, *local);
-      judge_stems(row, *local, truth, scenario.protocol.stem_gate_m);
+      judge_stems(row, *local);
+      row.bound_m = bound_m(*local, *variant.map, row.T_world_local, gate_m);
       judge_pose(row, T_odom_local, scenario.protocol);
       rows.push_back(row);
     }
