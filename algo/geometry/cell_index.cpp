@@ -1,15 +1,12 @@
 #include "algo/geometry/cell_index.h"
 
 #include <cmath>
-#include <limits>
 
 #include "algo/types/check.h"
-#include "algo/types/random.h"
 
 namespace honka {
 namespace {
 
-constexpr std::uint32_t kEmpty = std::numeric_limits<std::uint32_t>::max();
 constexpr std::size_t kFirstSlots = 1024;
 
 template <class Point>
@@ -66,19 +63,18 @@ std::uint64_t CellLattice<Dim>::step(const std::array<int, Dim>& cells) {
   return sum;
 }
 
-CellIndex::CellIndex(std::span<const std::uint64_t> keys) : slots_(kFirstSlots, kEmpty) {
+CellIndex::CellIndex(std::span<const std::uint64_t> keys) : slots_(kFirstSlots) {
   HONKA_CHECK(keys.size() < kEmpty, "too many items for 32-bit indices");
   cell_of_.resize(keys.size());
   for (std::size_t i = 0; i < keys.size(); ++i) {
-    std::uint32_t& cell = slots_[slot_of(keys[i])];
-    if (cell == kEmpty) {
-      cell = static_cast<std::uint32_t>(cell_keys_.size());
+    Slot& slot = slots_[slot_of(keys[i])];
+    const bool fresh = slot.cell == kEmpty;
+    if (fresh) {
+      slot = {keys[i], static_cast<std::uint32_t>(cell_keys_.size())};
       cell_keys_.push_back(keys[i]);
-      cell_of_[i] = cell;
-      if (2 * cell_keys_.size() > slots_.size()) grow();
-    } else {
-      cell_of_[i] = cell;
     }
+    cell_of_[i] = slot.cell;
+    if (fresh && 2 * cell_keys_.size() > slots_.size()) grow();
   }
   starts_.assign(cell_keys_.size() + 1, 0);
   for (const std::uint32_t cell : cell_of_) ++starts_[cell + 1];
@@ -88,22 +84,11 @@ CellIndex::CellIndex(std::span<const std::uint64_t> keys) : slots_(kFirstSlots, 
   for (std::uint32_t i = 0; i < keys.size(); ++i) members_[next[cell_of_[i]]++] = i;
 }
 
-std::optional<std::uint32_t> CellIndex::find(std::uint64_t key) const {
-  const std::uint32_t cell = slots_[slot_of(key)];
-  if (cell == kEmpty) return std::nullopt;
-  return cell;
-}
-
-std::size_t CellIndex::slot_of(std::uint64_t key) const {
-  const std::size_t mask = slots_.size() - 1;
-  std::size_t slot = mix64(key) & mask;
-  while (slots_[slot] != kEmpty && cell_keys_[slots_[slot]] != key) slot = (slot + 1) & mask;
-  return slot;
-}
-
 void CellIndex::grow() {
-  slots_.assign(2 * slots_.size(), kEmpty);
-  for (std::uint32_t c = 0; c < cell_keys_.size(); ++c) slots_[slot_of(cell_keys_[c])] = c;
+  slots_.assign(2 * slots_.size(), Slot{});
+  for (std::uint32_t c = 0; c < cell_keys_.size(); ++c) {
+    slots_[slot_of(cell_keys_[c])] = {cell_keys_[c], c};
+  }
 }
 
 template class CellLattice<2>;

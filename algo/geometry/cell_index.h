@@ -3,9 +3,12 @@
 #include <Eigen/Core>
 #include <array>
 #include <cstdint>
+#include <limits>
 #include <optional>
 #include <span>
 #include <vector>
+
+#include "algo/types/random.h"
 
 namespace honka {
 
@@ -35,7 +38,7 @@ class CellLattice {
 };
 
 /// Items grouped by a 64-bit key: cells numbered by first appearance, members in rising order.
-/// Open addressing; memory is 16 bytes an item and at most 16 bytes a cell more.
+/// Open addressing; memory is 8 bytes an item and at most 80 bytes a cell.
 class CellIndex {
  public:
   explicit CellIndex(std::span<const std::uint64_t> keys);
@@ -46,14 +49,29 @@ class CellIndex {
   [[nodiscard]] std::span<const std::uint32_t> members(std::size_t cell) const {
     return std::span(members_).subspan(starts_[cell], starts_[cell + 1] - starts_[cell]);
   }
-  [[nodiscard]] std::optional<std::uint32_t> find(std::uint64_t key) const;
+  [[nodiscard]] std::optional<std::uint32_t> find(std::uint64_t key) const {
+    const Slot& slot = slots_[slot_of(key)];
+    if (slot.cell == kEmpty) return std::nullopt;
+    return slot.cell;
+  }
 
  private:
-  [[nodiscard]] std::size_t slot_of(std::uint64_t key) const;
+  static constexpr std::uint32_t kEmpty = std::numeric_limits<std::uint32_t>::max();
+  struct Slot {
+    std::uint64_t key = 0;
+    std::uint32_t cell = kEmpty;
+  };
+  /// Where the key is, or the empty slot where it would go.
+  [[nodiscard]] std::size_t slot_of(std::uint64_t key) const {
+    const std::size_t mask = slots_.size() - 1;
+    std::size_t slot = mix64(key) & mask;
+    while (slots_[slot].cell != kEmpty && slots_[slot].key != key) slot = (slot + 1) & mask;
+    return slot;
+  }
   void grow();
 
   std::vector<std::uint64_t> cell_keys_;
-  std::vector<std::uint32_t> slots_;  ///< cell or kEmpty
+  std::vector<Slot> slots_;  ///< a power of two, at most half full
   std::vector<std::uint32_t> cell_of_, starts_, members_;
 };
 

@@ -63,12 +63,13 @@ Columns sorted_columns(std::span<const Eigen::Vector3d> points_m, double side_m)
 void sweep_columns(std::span<const ColumnPoint> below, std::span<const ColumnPoint> above,
                    double offset_m, double radius_m, std::vector<std::uint8_t>& found) {
   const double squared_radius = radius_m * radius_m;
+  const double lowest = above.front().z, highest = above.back().z;
   std::size_t low = 0;
   for (const ColumnPoint& p : below) {
     const double z = p.z + offset_m;
-    while (low < above.size() && z - above[low].z >= radius_m) ++low;
-    if (low == above.size()) return;
-    if (found[p.index] != 0) continue;
+    if (z - highest >= radius_m) return;
+    if (lowest - z >= radius_m || found[p.index] != 0) continue;
+    while (z - above[low].z >= radius_m) ++low;  // ends: the highest is not that far below
     for (std::size_t k = low; k < above.size() && above[k].z - z < radius_m; ++k) {
       const double dx = p.x - above[k].x, dy = p.y - above[k].y, dz = z - above[k].z;
       if (dx * dx + dy * dy + dz * dz < squared_radius) {
@@ -79,6 +80,8 @@ void sweep_columns(std::span<const ColumnPoint> below, std::span<const ColumnPoi
   }
 }
 
+bool lower(const Eigen::Vector3d& a, const Eigen::Vector3d& b) { return a.z() < b.z(); }
+
 std::vector<std::uint8_t> above_by_columns(std::span<const Eigen::Vector3d> points_m,
                                            double offset_m, double radius_m) {
   std::vector<std::uint8_t> found(points_m.size(), 0);
@@ -87,8 +90,10 @@ std::vector<std::uint8_t> above_by_columns(std::span<const Eigen::Vector3d> poin
   // The own column first: for a stem it answers nearly always.
   constexpr std::array<std::array<int, 2>, 9> kAround = {
       {{0, 0}, {1, 0}, {-1, 0}, {0, 1}, {0, -1}, {1, 1}, {1, -1}, {-1, 1}, {-1, -1}}};
+  const double highest = std::max_element(points_m.begin(), points_m.end(), lower)->z();
   for (std::size_t c = 0; c < columns.cells.cell_count(); ++c) {
     const std::span<const ColumnPoint> below = columns.column(c);
+    if (below.front().z + offset_m - highest >= radius_m) continue;
     for (const std::array<int, 2>& around : kAround) {
       const auto cell = columns.cells.find(columns.cells.key(c) + CellLattice<2>::step(around));
       if (cell) sweep_columns(below, columns.column(*cell), offset_m, radius_m, found);
