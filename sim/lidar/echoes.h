@@ -23,10 +23,10 @@ inline constexpr int kMostSubRays = 9;
 [[nodiscard]] std::vector<SubRay> footprint(int sub_rays, double horizontal_mrad,
                                             double vertical_mrad);
 
-/// What one ray of a shot brings back.
+/// What one ray of a shot brings back. Without initializers: nine stand on the stack of each shot.
 struct SubHit {
-  double range_m = 0.0;
-  double brightness = 0.0;  ///< weight × reflectivity in percent × cosine of incidence
+  double range_m;
+  double brightness;  ///< weight × reflectivity in percent × cosine of incidence
   Label label;
 };
 
@@ -38,6 +38,12 @@ struct Echo {
   double exact_range_m = 0.0;  ///< of the surface with the largest share
   Label label;                 ///< of that surface
 };
+
+/// The echo of a single hit.
+[[nodiscard]] inline Echo only_echo(const SubHit& hit) {
+  return {hit.range_m, hit.brightness, hit.brightness / (hit.range_m * hit.range_m), hit.range_m,
+          hit.label};
+}
 
 using Echoes = std::array<Echo, kMostSubRays>;
 

@@ -1,6 +1,6 @@
 #include "sim/lidar/embree_scene.h"
 
-#include <atomic>
+#include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <cstring>
@@ -137,10 +137,7 @@ void EmbreeScene::attach_mesh(const TriangleMesh& mesh) {
   mesh_labels_.push_back(mesh.label);
 }
 
-Hit EmbreeScene::cast(const Ray& ray, double far_m) const {
-  RTCIntersectContext context;
-  rtcInitIntersectContext(&context);
-  RTCRayHit query;
+void EmbreeScene::aim(RTCRayHit& query, const Ray& ray, double far_m) {
   query.ray.org_x = static_cast<float>(ray.ox);
   query.ray.org_y = static_cast<float>(ray.oy);
   query.ray.org_z = static_cast<float>(ray.oz);
@@ -153,11 +150,25 @@ Hit EmbreeScene::cast(const Ray& ray, double far_m) const {
   query.ray.mask = ~0U;
   query.ray.flags = 0;
   query.hit.geomID = RTC_INVALID_GEOMETRY_ID;
-  rtcIntersect1(scene_, &context, &query);
+}
+
+void EmbreeScene::cast(std::span<RTCRayHit> queries) const {
+  RTCIntersectContext context;
+  rtcInitIntersectContext(&context);
+  for (RTCRayHit& query : queries) {
+    rtcIntersect1(scene_, &context, &query);
+    // The label is read when the whole batch has been cast; it is on its way until then.
+    if (query.hit.geomID == kConeGeometry) __builtin_prefetch(&cone_labels_[query.hit.primID]);
+  }
+}
+
+Hit EmbreeScene::hit_of(const RTCRayHit& query) const {
   const unsigned geometry = query.hit.geomID;
   if (geometry == RTC_INVALID_GEOMETRY_ID) return {};
   const unsigned primitive = query.hit.primID;
   const double range = query.ray.tfar;
+  const RTCRay& r = query.ray;
+  const Ray ray = {r.org_x, r.org_y, r.org_z, r.dir_x, r.dir_y, r.dir_z};
   if (geometry == kConeGeometry) {
     return {range, cone_labels_[primitive], incidence_cosine(ray, cones_[primitive], range)};
   }
@@ -168,7 +179,7 @@ Hit EmbreeScene::cast(const Ray& ray, double far_m) const {
   const Eigen::Vector3d normal(query.hit.Ng_x, query.hit.Ng_y, query.hit.Ng_z);
   const double cosine =
       std::fabs(normal.dot(Eigen::Vector3d(ray.dx, ray.dy, ray.dz))) / normal.norm();
-  return {range, mesh_labels_[geometry - kFirstMesh], std::fmin(1.0, cosine)};
+  return {range, mesh_labels_[geometry - kFirstMesh], std::min(1.0, cosine)};
 }
 
 }  // namespace honka::sim

@@ -3,6 +3,7 @@
 #include <embree3/rtcore.h>
 
 #include <cstddef>
+#include <span>
 #include <vector>
 
 #include "sim/lidar/build_statistics.h"
@@ -28,8 +29,13 @@ class EmbreeScene {
   EmbreeScene(const EmbreeScene&) = delete;
   EmbreeScene& operator=(const EmbreeScene&) = delete;
 
-  /// First surface along the ray nearer than `far_m`. The direction is a unit vector.
-  [[nodiscard]] Hit cast(const Ray& ray, double far_m) const;
+  /// A query for the first surface along the ray nearer than `far_m`; the direction is a unit
+  /// vector.
+  static void aim(RTCRayHit& query, const Ray& ray, double far_m);
+  /// Answers the queries one by one, in order.
+  void cast(std::span<RTCRayHit> queries) const;
+  /// What an answered query met.
+  [[nodiscard]] Hit hit_of(const RTCRayHit& query) const;
   [[nodiscard]] const BuildStatistics& statistics() const { return statistics_; }
   /// For benchmarks: the bare scene.
   [[nodiscard]] RTCScene handle() const { return scene_; }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 
 #include "sim/lidar/ray.h"
@@ -76,7 +77,7 @@ inline constexpr double kJointOverlap = 0.02;
   const double nx = px - (u + lean) * ex, ny = py - (u + lean) * ey, nz = pz - (u + lean) * ez;
   const double length = std::sqrt(nx * nx + ny * ny + nz * nz);
   if (!(length > 0.0)) return 1.0;
-  return std::fmin(1.0, std::fabs(nx * r.dx + ny * r.dy + nz * r.dz) / length);
+  return std::min(1.0, std::fabs(nx * r.dx + ny * r.dy + nz * r.dz) / length);
 }
 
 }  // namespace honka::sim

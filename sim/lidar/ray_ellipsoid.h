@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -54,7 +55,7 @@ struct PackedEllipsoid {
   const double nx = px / e.hx, ny = py / e.hy, nz = pz / e.hz;
   const double length = std::sqrt(nx * nx + ny * ny + nz * nz);
   if (!(length > 0.0)) return 1.0;
-  return std::fmin(1.0, std::fabs(px * s.dx + py * s.dy + pz * s.dz) / length);
+  return std::min(1.0, std::fabs(px * s.dx + py * s.dy + pz * s.dz) / length);
 }
 
 }  // namespace honka::sim

@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "sim/lidar/embree_scene.h"
-
 namespace honka::sim {
 
 Shooter::Shooter(const LidarSimulator& lidar, const Trajectory& trajectory,
@@ -27,34 +25,85 @@ Shooter::Shooter(const LidarSimulator& lidar, const Trajectory& trajectory,
   result_.truth.reserve(static_cast<std::size_t>(shots) + 64);
 }
 
+bool Shooter::in_view(double azimuth_rad) const {
+  return std::fabs(azimuth_rad) <= half_view_rad_ || half_view_rad_ >= kPi;
+}
+
 void Shooter::fire(std::uint32_t firing, double offset_s) {
+  const std::vector<Beam>& beams = lidar_.beams_;
   const double azimuth = -kPi + 2.0 * kPi * lidar_.model_.rotation_rate_hz * offset_s;
-  const auto seen = [&](const Beam& beam) {
-    return std::fabs(azimuth + beam.turn_rad) <= half_view_rad_ || half_view_rad_ >= kPi;
-  };
-  if (!seen(lidar_.beams_.front()) && !seen(lidar_.beams_.back())) return;
+  // Lasers in view are consecutive: the head turns one way.
+  std::uint32_t first = 0, end = static_cast<std::uint32_t>(beams.size());
+  while (first < end && !in_view(azimuth + beams[first].turn_rad)) ++first;
+  while (end > first && !in_view(azimuth + beams[end - 1].turn_rad)) --end;
+  if (first == end) return;
   head_cos_ = std::cos(azimuth);
   head_sin_ = std::sin(azimuth);
   occluders_.aim(azimuth);
-  for (std::uint32_t laser = 0; laser < lidar_.beams_.size(); ++laser) {
-    const Beam& beam = lidar_.beams_[laser];
-    if (seen(beam)) shoot(beam, firing, laser, offset_s + beam.offset_s);
+  // The rays of a firing are aimed, cast and received together: short loops, one after the other.
+  queries_.clear();
+  machine_.clear();
+  for (std::uint32_t laser = first; laser < end; ++laser) {
+    aim(beams[laser], offset_s + beams[laser].offset_s);
+  }
+  scene_.cast(queries_);
+  std::size_t query = 0;
+  for (std::uint32_t laser = first; laser < end; ++laser, query += lidar_.footprint_.size()) {
+    finish(firing, laser, offset_s + beams[laser].offset_s, receive(query));
   }
 }
 
-void Shooter::shoot(const Beam& beam, std::uint32_t firing, std::uint32_t laser, double offset_s) {
-  shot_cos_ = head_cos_ * beam.cos_turn - head_sin_ * beam.sin_turn;
-  shot_sin_ = head_sin_ * beam.cos_turn + head_cos_ * beam.sin_turn;
-  const int count = trace(beam, offset_s);
+void Shooter::aim(const Beam& beam, double offset_s) {
+  const SweepPoses::Matrix34 T_world_lidar = poses_.at(offset_s);
+  const double c = head_cos_ * beam.cos_turn - head_sin_ * beam.sin_turn;
+  const double s = head_sin_ * beam.cos_turn + head_cos_ * beam.sin_turn;
+  const double flat = beam.cos_elevation, steep = beam.sin_elevation;
+  for (const SubRay& sub : lidar_.footprint_) {
+    const double h = sub.horizontal_rad, v = sub.vertical_rad;
+    const double keep = 1.0 - 0.5 * (h * h + v * v);  // unit length to the fourth order
+    const double out = keep * flat - v * steep;
+    const Ray ray = {
+        0.0, 0.0, beam.origin_z_m, out * c - h * s, -out * s - h * c, keep * steep + v * flat};
+    double far = lidar_.settings_.max_range_m;
+    if (occluders_.in_the_way()) {
+      machine_.push_back(occluders_.cast(ray, far));
+      far = std::min(far, machine_.back().range_m);
+    }
+    EmbreeScene::aim(queries_.emplace_back(), to_world(T_world_lidar, ray), far);
+  }
+}
+
+Hit Shooter::hit_of(std::size_t query) const {
+  const Hit hit = scene_.hit_of(queries_[query]);
+  return hit.range_m == kNoHit && !machine_.empty() ? machine_[query] : hit;
+}
+
+int Shooter::receive(std::size_t first) {
+  std::size_t count = 0;
+  for (std::size_t i = 0; i < lidar_.footprint_.size(); ++i) {
+    const Hit hit = hit_of(first + i);
+    if (hit.range_m == kNoHit || hit.range_m < lidar_.settings_.min_range_m) continue;
+    const double percent = lidar_.reflectivity_percent_[static_cast<std::size_t>(hit.label.part)];
+    hits_[count++] = {hit.range_m, lidar_.footprint_[i].weight * percent * hit.incidence_cosine,
+                      hit.label};
+  }
+  if (count == 1) {
+    echoes_[0] = only_echo(hits_[0]);
+    return 1;
+  }
+  return form_echoes({hits_.data(), count}, lidar_.settings_.pulse_resolution_m, echoes_);
+}
+
+void Shooter::finish(std::uint32_t firing, std::uint32_t laser, double offset_s, int echoes) {
   const bool dual = lidar_.mode_ == ReturnMode::kDual;
-  if (count == 0) {
+  if (echoes == 0) {
     report(nullptr, laser, offset_s, 0, 0);
     if (dual) report(nullptr, laser, offset_s, 0, 1);
     return;
   }
   const ShotNoise noise =
       shot_noise(lidar_.noise_key_, static_cast<std::uint64_t>(result_.sweep.index), firing, laser);
-  const Reported chosen = reported(echoes_, count, lidar_.mode_);
+  const Reported chosen = reported(echoes_, echoes, lidar_.mode_);
   const Echo& first = echoes_[static_cast<std::size_t>(chosen.first)];
   report(detected(first, noise.drop_out) ? &first : nullptr, laser, offset_s, noise.range[0], 0);
   if (!dual) return;
@@ -62,50 +111,6 @@ void Shooter::shoot(const Beam& beam, std::uint32_t firing, std::uint32_t laser,
   const std::uint32_t bits = noise.range[chosen.second == chosen.first ? 0 : 1];
   const Echo& second = echoes_[static_cast<std::size_t>(chosen.second)];
   report(detected(second, noise.drop_out) ? &second : nullptr, laser, offset_s, bits, 1);
-}
-
-int Shooter::trace(const Beam& beam, double offset_s) {
-  std::array<SubHit, kMostSubRays> hits;
-  std::size_t count = 0;
-  for (const SubRay& sub : lidar_.footprint_) {
-    const Hit hit = cast(sub_ray(beam, sub), offset_s);
-    if (hit.range_m == kNoHit || hit.range_m < lidar_.settings_.min_range_m) continue;
-    hits[count++] = received(hit, sub.weight);
-  }
-  return form_echoes({hits.data(), count}, lidar_.settings_.pulse_resolution_m, echoes_);
-}
-
-Hit Shooter::cast(const Ray& in_lidar, double offset_s) const {
-  double far = lidar_.settings_.max_range_m;
-  Hit machine;
-  if (occluders_.in_the_way()) {
-    machine = occluders_.cast(in_lidar, far);
-    far = std::min(far, machine.range_m);
-  }
-  const Hit hit = scene_.cast(poses_.to_world(in_lidar, offset_s), far);
-  return hit.range_m < far ? hit : machine;
-}
-
-Ray Shooter::sub_ray(const Beam& beam, const SubRay& sub) const {
-  const double c = shot_cos_, s = shot_sin_;
-  Ray ray = {0.0,
-             0.0,
-             beam.origin_z_m,
-             beam.cos_elevation * c,
-             -beam.cos_elevation * s,
-             beam.sin_elevation};
-  if (sub.horizontal_rad == 0.0 && sub.vertical_rad == 0.0) return ray;
-  const double h = sub.horizontal_rad, v = sub.vertical_rad;
-  const double keep = 1.0 - 0.5 * (h * h + v * v);  // unit length to the fourth order
-  ray.dx = keep * ray.dx - h * s - v * beam.sin_elevation * c;
-  ray.dy = keep * ray.dy - h * c + v * beam.sin_elevation * s;
-  ray.dz = keep * ray.dz + v * beam.cos_elevation;
-  return ray;
-}
-
-SubHit Shooter::received(const Hit& hit, double weight) const {
-  const double percent = lidar_.reflectivity_percent_[static_cast<std::size_t>(hit.label.part)];
-  return {hit.range_m, weight * percent * hit.incidence_cosine, hit.label};
 }
 
 bool Shooter::detected(const Echo& echo, std::uint32_t bits) const {

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <span>
 
+#include "sim/lidar/embree_scene.h"
 #include "sim/lidar/lidar_simulator.h"
 #include "sim/lidar/occluders.h"
 #include "sim/lidar/shot_noise.h"
@@ -24,12 +25,13 @@ class Shooter {
  private:
   using Beam = LidarSimulator::Beam;
 
-  void shoot(const Beam& beam, std::uint32_t firing, std::uint32_t laser, double offset_s);
-  /// Echoes of a shot by range; how many.
-  int trace(const Beam& beam, double offset_s);
-  [[nodiscard]] Hit cast(const Ray& in_lidar, double offset_s) const;
-  [[nodiscard]] Ray sub_ray(const Beam& beam, const SubRay& sub) const;
-  [[nodiscard]] SubHit received(const Hit& hit, double weight) const;
+  [[nodiscard]] bool in_view(double azimuth_rad) const;
+  /// Queues the rays of one shot.
+  void aim(const Beam& beam, double offset_s);
+  /// The echoes of the shot whose rays start at `first` in the queue; how many.
+  int receive(std::size_t first);
+  void finish(std::uint32_t firing, std::uint32_t laser, double offset_s, int echoes);
+  [[nodiscard]] Hit hit_of(std::size_t query) const;
   [[nodiscard]] bool detected(const Echo& echo, std::uint32_t bits) const;
   void report(const Echo* echo, std::uint32_t laser, double offset_s, std::uint32_t noise_bits,
               std::uint8_t number);
@@ -41,7 +43,9 @@ class Shooter {
   TruthfulSweep result_;
   double half_view_rad_;
   double head_cos_ = 1.0, head_sin_ = 0.0;  ///< of the azimuth at the firing's start
-  double shot_cos_ = 1.0, shot_sin_ = 0.0;  ///< of the azimuth of the current shot
+  std::vector<RTCRayHit> queries_;          ///< of one firing, sub-rays of a shot together
+  std::vector<Hit> machine_;                ///< beside the queries, while occluders are aimed at
+  std::array<SubHit, kMostSubRays> hits_;
   Echoes echoes_;
 };
 

@@ -20,16 +20,4 @@ SweepPoses::SweepPoses(const Trajectory& trajectory, double start_time_s, double
   }
 }
 
-Pose3 SweepPoses::T_world_lidar(double offset_s) const {
-  Pose3 pose = Pose3::Identity();
-  for (int axis = 0; axis < 3; ++axis) {
-    Ray unit = {0, 0, 0, 0, 0, 0};
-    (axis == 0 ? unit.dx : axis == 1 ? unit.dy : unit.dz) = 1.0;
-    const Ray column = to_world(unit, offset_s);
-    pose.linear().col(axis) = Eigen::Vector3d(column.dx, column.dy, column.dz);
-    pose.translation() = Eigen::Vector3d(column.ox, column.oy, column.oz);
-  }
-  return pose;
-}
-
 }  // namespace honka::sim

@@ -18,18 +18,16 @@ class SweepPoses {
 
   SweepPoses(const Trajectory& trajectory, double start_time_s, double duration_s);
 
-  /// A ray given in the lidar frame at `offset_s` after the start, in the world. `offset_s` in
-  /// [0, duration].
-  [[nodiscard]] Ray to_world(const Ray& in_lidar, double offset_s) const;
-  [[nodiscard]] Pose3 T_world_lidar(double offset_s) const;
-
- private:
   using Matrix34 = std::array<double, 12>;  ///< [R | t] by rows
 
+  /// T_world_lidar at `offset_s` after the start, in [0, duration].
+  [[nodiscard]] Matrix34 at(double offset_s) const;
+
+ private:
   std::vector<Matrix34> knots_;
 };
 
-inline Ray SweepPoses::to_world(const Ray& r, double offset_s) const {
+inline SweepPoses::Matrix34 SweepPoses::at(double offset_s) const {
   const double place = offset_s * (1.0 / kKnot_s);
   const auto knot = static_cast<std::size_t>(place);
   const double share = place - static_cast<double>(knot);
@@ -37,6 +35,11 @@ inline Ray SweepPoses::to_world(const Ray& r, double offset_s) const {
   const Matrix34& q = knots_[knot + 1];
   Matrix34 m;
   for (std::size_t i = 0; i < 12; ++i) m[i] = p[i] + share * (q[i] - p[i]);
+  return m;
+}
+
+/// A ray given in the lidar frame, in the world.
+[[nodiscard]] inline Ray to_world(const SweepPoses::Matrix34& m, const Ray& r) {
   return {m[0] * r.ox + m[1] * r.oy + m[2] * r.oz + m[3],
           m[4] * r.ox + m[5] * r.oy + m[6] * r.oz + m[7],
           m[8] * r.ox + m[9] * r.oy + m[10] * r.oz + m[11],

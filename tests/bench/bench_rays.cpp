@@ -49,15 +49,8 @@ std::vector<RTCRayHit> rays_of(const Sweep& sweep, const LidarModel& model,
   std::vector<RTCRayHit> rays;
   for (const Return& r : sweep.returns) {
     const Eigen::Vector3d d = model.direction(r.laser, sweep.azimuth_rad(r, model));
-    const Ray ray = poses.to_world({0, 0, 0, d.x(), d.y(), d.z()}, 1e-9 * r.time_offset_ns);
-    RTCRayHit query = {};
-    query.ray.org_x = static_cast<float>(ray.ox), query.ray.dir_x = static_cast<float>(ray.dx);
-    query.ray.org_y = static_cast<float>(ray.oy), query.ray.dir_y = static_cast<float>(ray.dy);
-    query.ray.org_z = static_cast<float>(ray.oz), query.ray.dir_z = static_cast<float>(ray.dz);
-    query.ray.tfar = static_cast<float>(far_m);
-    query.ray.mask = ~0U;
-    query.hit.geomID = RTC_INVALID_GEOMETRY_ID;
-    rays.push_back(query);
+    const Ray ray = to_world(poses.at(1e-9 * r.time_offset_ns), {0, 0, 0, d.x(), d.y(), d.z()});
+    EmbreeScene::aim(rays.emplace_back(), ray, far_m);
   }
   return rays;
 }
