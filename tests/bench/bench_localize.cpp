@@ -2,6 +2,7 @@
 #include <benchmark/benchmark.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "algo/delaunay/delaunay.h"
 #include "algo/localize/li2020/li2020.h"

@@ -36,6 +36,7 @@ std::vector<TriangleStar> stars_of(const DelaunayGraph& graph, StarChoice choice
   for (std::size_t i = 0; i < graph.triangles.size(); ++i) {
     const DelaunayTriangle& centre = graph.triangles[i];
     if (!is_centre(graph, centre, choice)) continue;
+    // Li2020 Eq. (1)
     TriangleStar star;
     star.triangle = static_cast<std::int32_t>(i);
     star.area_m2[0] = centre.area_m2;

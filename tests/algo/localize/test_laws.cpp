@@ -3,6 +3,7 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <numeric>
+#include <set>
 
 #include "algo/localize/li2020/li2020.h"
 #include "algo/types/random.h"
@@ -161,20 +162,30 @@ TEST_CASE("the vertex gate keeps only matches that fit, and wide tolerances gain
   for (const StarMatch& match : gated.star_matches) CHECK(match.cost_m <= 6 * 0.3);
   CHECK(gated.matches < open.matches);
   CHECK(gated.margin > open.margin);
+
+  std::set<std::int32_t> paired;
+  for (const StarMatch& match : open.star_matches) {
+    if (!match.agrees) continue;
+    for (const VertexPair& pair : match.pairs) paired.insert(pair.local);
+  }
+  CHECK(open.agreeing < open.matches);
+  CHECK(open.inliers == static_cast<int>(paired.size()));
 }
 
-TEST_CASE("UTM-sized maps keep millimetres") {
+TEST_CASE("UTM-sized maps lose no digit") {
   const Eigen::Vector2d utm(654321.0, 6912345.0);
   Points map = forest();
-  for (auto& p : map) p = (p * 1000.0).array().round() / 1000.0;
+  for (auto& p : map) p = (p * 1024.0).array().round() / 1024.0;  // so that adding utm is exact
   const Points local = seen_from(map, kTruth, 0.0);
   Points far = map;
   for (auto& p : far) p += utm;
   const auto near_answer = Li2020Matcher(map, {}).locate(local);
   const auto answer = Li2020Matcher(far, {}).locate(local);
   CHECK(answer.accepted());
+  CHECK(answer.T_map_local.yaw_rad == near_answer.T_map_local.yaw_rad);
+  CHECK(answer.cost_m == near_answer.cost_m);
   CHECK((answer.T_map_local.translation_m - utm - near_answer.T_map_local.translation_m).norm() <
-        1e-6);
+        2e-9);
   for (const StarMatch& match : answer.star_matches) {
     CHECK((match.translation_m - answer.T_map_local.translation_m).norm() < 0.01);
   }

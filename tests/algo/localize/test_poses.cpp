@@ -95,6 +95,19 @@ TEST_CASE("an angle of exactly 180° and a vertex in the mean give numbers") {
   CHECK(std::abs(star_pose(local, opposite).theta_rad) == Approx(kPi));
   for (Eigen::Vector2d& p : local) p = Eigen::Vector2d(2, 3);
   CHECK(star_pose(local, local).theta_rad == 0.0);
+  CHECK(star_pose(local, local).cost_m == 0.0);
+}
+
+TEST_CASE("a cosine that rounding puts beyond one gives an angle") {
+  RandomStream stream(1, "clip_test");
+  for (int i = 0; i < 200; ++i) {
+    const double x = stream.uniform(-20.0, 20.0);
+    const Eigen::Vector2d a(x, stream.uniform(-20.0, 20.0));
+    const Six local = {a, -a, a, -a, a, -a};  // one cosine for all six, 1 up to its last digit
+    const StarPose pose = star_pose(local, local);
+    CHECK(std::abs(pose.theta_rad) < 1e-7);
+    CHECK(pose.cost_m < 1e-4);
+  }
 }
 
 TEST_CASE("Li2020 Eq. (4) takes the candidate of least sum over all vertices") {
@@ -134,6 +147,20 @@ TEST_CASE("the box costs no more than the best candidate and stays inside") {
   CHECK(box.T_map_local.translation_m.x() >= low);
   CHECK(box.T_map_local.translation_m.x() <= high);
   CHECK(std::abs(wrap_to_pi(box.T_map_local.yaw_rad - yaw)) <= widest + 1e-12);
+}
+
+TEST_CASE("the box binds across ±180°") {
+  std::vector<PoseCandidate> candidates;
+  for (std::uint64_t s = 1; s < 4; ++s) {
+    const Pose2 truth{{0.0, 0.0}, -kPi + 0.2};
+    candidates.push_back({random_six(s), moved(truth, random_six(s)), {}});
+  }
+  candidates[0].T_map_local.yaw_rad = kPi - 0.01;
+  candidates[1].T_map_local.yaw_rad = kPi;
+  candidates[2].T_map_local.yaw_rad = -kPi + 0.02;
+  const Selection box = select_in_box(candidates);
+  CHECK(box.chosen == 2);
+  CHECK(box.T_map_local.yaw_rad == Approx(-kPi + 0.02));
 }
 
 TEST_CASE("residuals of a candidate") {

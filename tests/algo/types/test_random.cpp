@@ -134,6 +134,17 @@ TEST_CASE("normal numbers: four moments and the tails") {
   CHECK(s.variance == Approx(9.0).epsilon(0.02));
 }
 
+TEST_CASE("normal numbers come in pairs of Box and Muller") {
+  RandomStream stream(3, "box_muller");
+  RandomStream twin(3, "box_muller");
+  for (int pair = 0; pair < 3; ++pair) {
+    const double radius = std::sqrt(-2.0 * std::log1p(-twin.uniform()));
+    const double angle = 2.0 * std::acos(-1.0) * twin.uniform();
+    CHECK(stream.normal() == Approx(radius * std::cos(angle)));
+    CHECK(stream.normal() == Approx(radius * std::sin(angle)));
+  }
+}
+
 TEST_CASE("Weibull numbers have the mean and variance of their law") {
   const double shape = GENERATE(1.0, 2.0, 3.6);
   RandomStream stream(1, "weibull_test");
@@ -148,13 +159,17 @@ TEST_CASE("Weibull numbers have the mean and variance of their law") {
 TEST_CASE("Poisson numbers have equal mean and variance, on both sides of the switch") {
   const double mean = GENERATE(0.0, 0.1, 3.0, 29.9, 30.0, 400.0);
   RandomStream stream(1, "poisson_test");
+  int zeros = 0;
   const Moments m = moments(50000, [&] {
     const int count = stream.poisson(mean);
     CHECK(count >= 0);
+    zeros += count == 0 ? 1 : 0;
     return static_cast<double>(count);
   });
   CHECK(m.mean == Approx(mean).margin(4.0 * std::sqrt(mean / 50000.0)));
   CHECK(m.variance == Approx(mean).epsilon(0.05));
+  const double none = std::exp(-mean);
+  CHECK(zeros == Approx(50000.0 * none).margin(4.0 * std::sqrt(50000.0 * none * (1.0 - none))));
 }
 
 TEST_CASE("below(n) covers 0 … n − 1 evenly") {
