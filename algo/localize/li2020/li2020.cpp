@@ -15,7 +15,7 @@ namespace {
 
 using Points = std::vector<Eigen::Vector2d>;
 
-/// Whole metres near the middle: subtracting them loses no digits of UTM-sized coordinates.
+/// Whole metres near the middle.
 Eigen::Vector2d middle_of(const Points& points) {
   if (points.empty()) return Eigen::Vector2d::Zero();
   Eigen::Vector2d low = points[0];
@@ -28,9 +28,11 @@ Eigen::Vector2d middle_of(const Points& points) {
   return middle.allFinite() ? middle : Eigen::Vector2d::Zero();
 }
 
-Points moved(Points points, const Eigen::Vector2d& by) {
-  for (Eigen::Vector2d& p : points) p += by;
-  return points;
+/// The triangulation of the points as given, its vertices then relative to the centre.
+DelaunayGraph centred_delaunay(const Points& points, const Eigen::Vector2d& centre) {
+  DelaunayGraph graph = build_delaunay(points);
+  for (Eigen::Vector2d& vertex : graph.vertices) vertex -= centre;
+  return graph;
 }
 
 void check_word(std::string_view key, std::string_view word, std::string_view a,
@@ -62,7 +64,7 @@ Li2020Matcher::Li2020Matcher(const Points& stems_in_map_m, Li2020Settings settin
   check_word("pairing", settings_.pairing, "similar_edge", "least_side_sum");
   check_word("selection", settings_.selection, "candidates", "box");
   if (settings_.pairing == "least_side_sum") pairing_ = Pairing::kLeastSideSum;
-  map_ = build_delaunay(moved(stems_in_map_m, -centre_m_));
+  map_ = centred_delaunay(stems_in_map_m, centre_m_);
   index_ = StarIndex(stars_of(map_, StarChoice::kThreeNeighbours));
   if (index_.stars().empty()) {
     throw UserError(fmt::format(
@@ -132,7 +134,7 @@ LocateResult Li2020Matcher::locate(const Points& stems_in_local_m) const {
 
   // Local graph and its stars (Li2020 §2.7, §2.8)
   const Eigen::Vector2d centre = middle_of(stems_in_local_m);
-  const DelaunayGraph graph = build_delaunay(moved(stems_in_local_m, -centre));
+  const DelaunayGraph graph = centred_delaunay(stems_in_local_m, centre);
   const auto local_stars = stars_of(graph, StarChoice::kNoHullVertex);
   result.local_stars = static_cast<int>(local_stars.size());
   if (local_stars.empty()) return result;

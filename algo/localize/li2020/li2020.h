@@ -21,7 +21,7 @@ class Li2020Matcher final : public Matcher {
   [[nodiscard]] LocateResult locate(
       const std::vector<Eigen::Vector2d>& stems_in_local_m) const override;
 
-  /// The map's triangulation, its coordinates relative to centre_m().
+  /// The map's triangulation as build_delaunay gives it, vertices then relative to centre_m().
   [[nodiscard]] const DelaunayGraph& map_graph() const { return map_; }
   /// What was subtracted from the map: whole metres near its middle.
   [[nodiscard]] const Eigen::Vector2d& centre_m() const { return centre_m_; }
