@@ -15,7 +15,7 @@ struct Strauss {
   static constexpr std::string_view kName = "strauss";
   std::vector<double> radii = {0.08, 0.15, 0.25, 0.35, 0.45, 0.55, 0.8, 1.1};
   std::vector<double> factors = {0.0, 0.13, 0.2, 0.4, 0.67, 0.95, 1.17, 1.16};
-  std::int64_t sweeps = 150;
+  std::int64_t sweeps = 60;
 
   /// UserError when pairs stay nearer than a factor of 0 allows.
   [[nodiscard]] Points place(const SpacingDomain& domain, RandomStream& stream) const;

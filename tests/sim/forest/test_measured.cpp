@@ -121,12 +121,14 @@ TEST_CASE("every real plot continues into a stand of its own density") {
     WARN("skipped: no measured stem maps beside the source tree");
     return;
   }
+  ForestSettings settings;
+  settings.width_m = settings.length_m = 120.0;
   for (const auto& plot : plots) {
     CAPTURE(plot.name);
-    const Stand stand = make_stand({}, {}, 1, &plot.stems);
+    const Stand stand = make_stand(settings, {}, 1, &plot.stems);
     const double real_per_ha =
         1e4 * static_cast<double>(plot.stems.size()) / plot.window_m.volume();
     CHECK(stand.measured_trees == static_cast<std::int64_t>(plot.stems.size()));
-    CHECK(static_cast<double>(stand.trees.size()) == Approx(6.0 * real_per_ha).epsilon(0.06));
+    CHECK(static_cast<double>(stand.trees.size()) == Approx(1.44 * real_per_ha).epsilon(0.06));
   }
 }
