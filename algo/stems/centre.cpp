@@ -67,14 +67,21 @@ double tukey_weight(double residual_m, double limit_m) {
   return (1.0 - share * share) * (1.0 - share * share);
 }
 
+double residual_limit_m(std::span<const SeenPoint> points, const Circle& circle) {
+  std::vector<double> sizes;
+  sizes.reserve(points.size());
+  for (const SeenPoint& p : points) {
+    sizes.push_back(std::abs((p.position_m - circle.centre_m).norm() - circle.radius_m));
+  }
+  return std::max(4.685 * 1.4826 * median_of(std::move(sizes)), 0.01);
+}
+
 /// Gauss–Newton on Σ w(|p − c| − r)², the Tukey limit from the median residual.
 std::optional<Circle> refine(std::span<const SeenPoint> points, Circle circle) {
-  std::vector<double> sizes(points.size());
-  for (int step = 0; step < 20; ++step) {
-    for (std::size_t i = 0; i < points.size(); ++i) {
-      sizes[i] = std::abs((points[i].position_m - circle.centre_m).norm() - circle.radius_m);
-    }
-    const double limit_m = std::max(4.685 * 1.4826 * median_of(sizes), 0.01);
+  constexpr int kSteps = 20, kLimitSteps = 4;
+  double limit_m = 0.0;
+  for (int step = 0; step < kSteps; ++step) {
+    if (step < kLimitSteps) limit_m = residual_limit_m(points, circle);
     Eigen::Matrix3d normal = Eigen::Matrix3d::Zero();
     Eigen::Vector3d gradient = Eigen::Vector3d::Zero();
     for (const SeenPoint& p : points) {
@@ -91,8 +98,8 @@ std::optional<Circle> refine(std::span<const SeenPoint> points, Circle circle) {
     if (!change.allFinite()) return std::nullopt;
     circle.centre_m += change.head<2>();
     circle.radius_m += change.z();
-    if (change.norm() < 1e-9) break;
     if (circle.radius_m <= 0.0 || circle.radius_m > 10.0) return std::nullopt;
+    if (change.norm() < 1e-7) break;
   }
   return circle;
 }
