@@ -72,6 +72,64 @@ TEST_CASE("truth is continuous in place and speed, and keeps the limits") {
   CHECK(most_swing <= deg_to_rad(settings.most_swing_deg));
 }
 
+TEST_CASE("the lidar rides ahead of the joint, and swings about it while the machine stands") {
+  const Vehicle vehicle({{0, 0}, {50, 0}}, plane({0, 0}), stiff(true), 9);
+  const Trajectory& truth = vehicle.trajectory();
+  double widest = 0.0;
+  for (double t = 0.0; t < truth.duration_s(); t += 0.11) {
+    const Pose3 pose = truth.T_world_lidar(t);
+    const double yaw = yaw_of(pose), along = vehicle.travelled_m(t);
+    const Eigen::Vector3d expected(along + 2.2 * std::cos(yaw), 2.2 * std::sin(yaw), 1.5);
+    CHECK((pose.translation() - expected).norm() < 1e-3);
+    CHECK(yaw == Approx(vehicle.joint_angle_rad(t)).margin(1e-4));
+    widest = std::max(widest, std::fabs(yaw));
+  }
+  CHECK(widest > deg_to_rad(45.0));
+}
+
+TEST_CASE("a tilted mounting tilts the lidar, springs shake it as much as asked") {
+  VehicleSettings settings = stiff(false);
+  settings.mount_pitch_deg = 5.0;
+  const Vehicle tilted({{0, 0}, {20, 0}}, plane({0, 0}), settings, 9);
+  const Pose3 pose = tilted.trajectory().T_world_lidar(7.0);
+  CHECK(pose.linear()(2, 0) == Approx(-std::sin(deg_to_rad(5.0))).margin(1e-9));
+  settings.mount_pitch_deg = 0.0;
+  settings.suspension_noise_deg = 0.4;
+  const Vehicle shaken({{0, 0}, {190, 0}}, plane({0, 0}), settings, 9);
+  double squares = 0.0, count = 0.0;
+  for (double t = 0.0; t < shaken.duration_s(); t += 0.05, count += 1.0) {
+    squares += std::pow(shaken.trajectory().T_world_lidar(t).linear()(2, 0), 2);
+  }
+  CHECK(rad_to_deg(std::sqrt(squares / count)) == Approx(0.4).epsilon(0.15));
+}
+
+TEST_CASE("the same seed drives the same way, another seed another") {
+  const Polyline path = {{0, 0}, {30, 5}};
+  const Heightfield ground = plane({0.03, 0.01});
+  const Vehicle a(path, ground, {}, 4), b(path, ground, {}, 4), c(path, ground, {}, 5);
+  CHECK(a.trajectory().T_world_lidar(33.3).matrix() == b.trajectory().T_world_lidar(33.3).matrix());
+  CHECK(a.trajectory().duration_s() != c.trajectory().duration_s());
+}
+
+TEST_CASE("crane and tree ride in the lidar frame; the tree only while it is processed") {
+  VehicleSettings settings = stiff(true);
+  const Vehicle vehicle({{0, 0}, {30, 0}}, plane({0, 0}), settings, 4);
+  for (const Phase& phase : vehicle.plan().phases()) {
+    const auto cones = vehicle.occluders_in_lidar(phase.start_s + 0.5 * phase.duration_s);
+    int logs = 0;
+    for (const Cone& cone : cones) {
+      logs += cone.label.part == Part::kLog ? 1 : 0;
+      CHECK((cone.label.part == Part::kLog || cone.label.part == Part::kMachine));
+      // Nothing of it touches the sensor; the crane stands ahead of it.
+      CHECK(std::max(cone.a_m.norm(), cone.b_m.norm()) > 0.5);
+      if (cone.label.part == Part::kMachine) CHECK(cone.a_m.x() > 0.0);
+    }
+    CHECK(logs == (phase.task == Task::kProcess ? 1 : 0));
+  }
+  settings.occluders = false;
+  CHECK(Vehicle({{0, 0}, {30, 0}}, plane({0, 0}), settings, 4).occluders_in_lidar(3.0).empty());
+}
+
 TEST_CASE("strip roads of 200 by 300 m make the preprint's 1,200 m") {
   const Eigen::AlignedBox2d extent(Eigen::Vector2d(0, 0), Eigen::Vector2d(200, 300));
   const auto roads = strip_roads(extent, 50.0);
