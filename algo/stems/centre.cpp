@@ -14,6 +14,8 @@ constexpr double kLeastRadius_m = 0.02, kMostRadius_m = 0.4;
 constexpr double kLeastFitRadius_m = 0.03;
 constexpr double kMostResidual_m = 0.03, kMostResidualShare = 0.25;
 constexpr std::size_t kLeastPoints = 8;
+constexpr double kTukey =
+    3.5;  // times the median residual, 2.4 s.d.: a branch must not hold the fit
 constexpr double kLeastArc_rad = 0.5 * kPi;
 
 double median_of(std::vector<double> values) {
@@ -73,12 +75,12 @@ double residual_limit_m(std::span<const SeenPoint> points, const Circle& circle)
   for (const SeenPoint& p : points) {
     sizes.push_back(std::abs((p.position_m - circle.centre_m).norm() - circle.radius_m));
   }
-  return std::max(4.685 * 1.4826 * median_of(std::move(sizes)), 0.01);
+  return std::max(kTukey * median_of(std::move(sizes)), 0.01);
 }
 
 /// Gauss–Newton on Σ w(|p − c| − r)², the Tukey limit from the median residual.
 std::optional<Circle> refine(std::span<const SeenPoint> points, Circle circle) {
-  constexpr int kSteps = 20, kLimitSteps = 4;
+  constexpr int kSteps = 20, kLimitSteps = 10;
   double limit_m = 0.0;
   for (int step = 0; step < kSteps; ++step) {
     if (step < kLimitSteps) limit_m = residual_limit_m(points, circle);
