@@ -34,7 +34,7 @@ ReportFigure draw_map_cloud(const std::filesystem::path& folder, const MapCloudF
   const std::string cloud = figure.data("cloud: x y z, map frame, m", columns_of(points));
   const std::string path = figure.data("path of the sensor: x y", input.path);
   const std::string stems = figure.data("stems found in the cloud: x y", input.stems);
-  figure << "set palette viridis" << range("cb", z, 0.0) << "set cblabel 'z (m)'"
+  figure << kHeightPalette << range("cb", z, 0.0) << "set cblabel 'z (m)'"
          << "set tics out" << range("x", x, 2.0) << "set lmargin at screen 0.09"
          << "set rmargin at screen 0.87"
          << "set multiplot";

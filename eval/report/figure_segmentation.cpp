@@ -51,8 +51,7 @@ ReportFigure draw_segmentation(const std::filesystem::path& folder,
          << "set rmargin at screen 0.89"
          << "set xrange [" + number(x.first - 1) + ":" + number(x.second + 1) + "]"
          << "set yrange [" + number(z.first - 0.5) + ":" + number(z.second + 0.5) + "]"
-         << "set cbrange [" + number(z.first) + ":" + number(z.second) + "]"
-         << "set palette viridis"
+         << "set cbrange [" + number(z.first) + ":" + number(z.second) + "]" << kHeightPalette
          << "set ylabel 'z (m)'"
          << "set cblabel 'z (m)'"
          << "set key right top";

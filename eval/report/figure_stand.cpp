@@ -19,7 +19,8 @@ ReportFigure draw_stand(const std::filesystem::path& folder, const StandFigure& 
   }
   const double shape =
       std::clamp((high.y() - low.y()) / std::max(1.0, high.x() - low.x()), .3, 1.8);
-  Figure figure(folder, "stand", 900, static_cast<int>(190.0 + 760.0 * shape));
+  Figure figure(folder, "stand", 900, static_cast<int>(190.0 + 760.0 * shape),
+                Figure::Format::kPng);
   figure.title("The stand: " + std::to_string(input.stems.size()) + " trees", input.protocol);
   const std::string trees = figure.data("trees: x y, 1.5 × DBH (m)", stems);
   const std::string roads = figure.lines("strip roads: x y", input.roads);

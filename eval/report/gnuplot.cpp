@@ -196,6 +196,8 @@ std::string series_point(std::size_t i) {
   return std::to_string(kPoints[i % kPoints.size()]);
 }
 
-std::string frames_label(std::int64_t frames) { return std::string("C").append(std::to_string(frames)); }
+std::string frames_label(std::int64_t frames) {
+  return std::string("C").append(std::to_string(frames));
+}
 
 }  // namespace honka::eval

@@ -61,6 +61,10 @@ inline constexpr const char* kYellow = "'#F0E442'";
 inline constexpr const char* kBlue = "'#0072B2'";
 inline constexpr const char* kRed = "'#D55E00'";
 inline constexpr const char* kPink = "'#CC79A7'";
+/// Dark violet over green to yellow: even in lightness, for heights.
+inline constexpr const char* kHeightPalette =
+    "set palette defined (0 '#440154', 1 '#414487', 2 '#2A788E', 3 '#22A884', 4 '#7AD151', "
+    "5 '#FDE725')";
 inline constexpr const char* kGrey = "'#8A8A8A'";
 
 /// The colour and point type of the i-th series (C1, C3, C5, C10 …), the same in all figures.
