@@ -92,7 +92,8 @@ TEST_CASE("corridors stay open for stems, bushes, rocks and logs, and the count 
   settings.undergrowth.bushes_per_ha = 2000.0;
   settings.undergrowth.log_piles_per_100_m = 40.0;
   const Polyline road = {{-10, 20}, {30, 22}, {60, 45}, {90, 45}};
-  const Stand stand = make_stand(settings, {road}, 8);
+  const Polyline crossing = {{45, 0}, {45, 60}};
+  const Stand stand = make_stand(settings, {road, crossing}, 8);
   CHECK(stand.trees.size() == 176);
   const double half = settings.corridor_half_width_m;
   for (const Tree& tree : stand.trees) {
@@ -104,6 +105,8 @@ TEST_CASE("corridors stay open for stems, bushes, rocks and logs, and the count 
   for (const Log& log : stand.logs) {
     CHECK(distance_to(road, log.a_m.head<2>()) >= half);
     CHECK(distance_to(road, log.b_m.head<2>()) >= half);
+    CHECK(distance_to(crossing, log.a_m.head<2>()) >= half);
+    CHECK(distance_to(crossing, log.b_m.head<2>()) >= half);
   }
 }
 
