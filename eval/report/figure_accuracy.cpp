@@ -74,8 +74,8 @@ ReportFigure draw_accuracy(const std::filesystem::path& folder, const AccuracyFi
          << "set format y '10^{%T}'"
          << "set xlabel 'rotation error (deg)'"
          << "set ylabel 'time of one localization (s)'"
-         << "set xrange [0:" + number(1.15 * largest) + "]"
-         << "set key outside below center horizontal";
+         << "set xrange [0:" + number(1.15 * largest) + "]";
+  figure.key_below(175);
   figure.plot(elements);
   return figure.draw(
       "Accuracy against computing time (the paper's Figure 10)",

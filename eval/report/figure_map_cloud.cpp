@@ -28,8 +28,8 @@ ReportFigure draw_map_cloud(const std::filesystem::path& folder, const MapCloudF
   const auto z = quantile_range(coordinate(points, 2), 0.002, 0.998);
   // Both views share the scale along x: the picture is as tall as the stand is deep.
   const double shape = std::clamp((y.second - y.first) / std::max(1.0, x.second - x.first), .2, 2.);
-  const int height = static_cast<int>(320.0 + 780.0 * shape);
-  const double strip = 170.0 / height, top = 1.0 - 64.0 / height;
+  const int height = static_cast<int>(336.0 + 780.0 * shape);
+  const double strip = 186.0 / height, top = 1.0 - 64.0 / height;
   Figure figure(folder, "map_cloud", 1000, height, Figure::Format::kPng);
   const std::string cloud = figure.data("cloud: x y z, map frame, m", columns_of(points));
   const std::string path = figure.data("path of the sensor: x y", input.path);
@@ -46,7 +46,7 @@ ReportFigure draw_map_cloud(const std::filesystem::path& folder, const MapCloudF
          << "set key at screen 0.87,screen " + number(strip + 96.0 / height) +
                 " right top horizontal";
   figure.plot(
-      {cloud + " using 1:2:3 with dots lc palette notitle",
+      {cloud + " using 1:2:3 with points pt 7 ps 0.3 lc palette notitle",
        stems + " using 1:2 with points pt 6 ps 0.7 lw 1.2 lc " + kRed + " title 'stem found'",
        path + " using 1:2 with lines lw 2.5 lc " + kBlack + " title 'path of the sensor'"});
   figure << "unset title"
@@ -54,10 +54,10 @@ ReportFigure draw_map_cloud(const std::filesystem::path& folder, const MapCloudF
          << "unset colorbox"
          << "set format x '%g'"
          << "set tmargin at screen " + number(strip + 50.0 / height)
-         << "set bmargin at screen " + number(50.0 / height) << "set xlabel 'x (m)'"
+         << "set bmargin at screen " + number(64.0 / height) << "set xlabel 'x (m)'"
          << "set ylabel 'z (m)'" << range("y", z, 1.0)
          << "set label 1 'from the side' at graph 0.01,0.9 front";
-  figure.plot({cloud + " using 1:3:3 with dots lc palette notitle"});
+  figure.plot({cloud + " using 1:3:3 with points pt 7 ps 0.3 lc palette notitle"});
   figure << "unset multiplot";
   return figure.draw("Point-cloud map (the paper's Figure 1c)",
                      "The map that local scans are matched with, from above and from the side, "

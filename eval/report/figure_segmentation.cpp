@@ -48,13 +48,13 @@ ReportFigure draw_segmentation(const std::filesystem::path& folder,
       "(c) clusters: x y z", columns_of(slice(input.clusters, input.slice_half_width_m)));
   figure << "set multiplot"
          << "set lmargin at screen 0.08"
-         << "set rmargin at screen 0.89"
+         << "set rmargin at screen 0.87"
          << "set xrange [" + number(x.first - 1) + ":" + number(x.second + 1) + "]"
          << "set yrange [" + number(z.first - 0.5) + ":" + number(z.second + 0.5) + "]"
          << "set cbrange [" + number(z.first) + ":" + number(z.second) + "]" << kHeightPalette
          << "set ylabel 'z (m)'"
          << "set cblabel 'z (m)'"
-         << "set key right top";
+         << "set key at graph 1,1.16 right horizontal";
   figure.title("Trunk segmentation in three stages, seen from the side", input.protocol);
   place_panel(figure, 0);
   figure << "set label 1 '(a) original cloud' at graph 0.01,1.06 front";

@@ -99,11 +99,11 @@ ReportFigure draw_speed(const std::filesystem::path& folder, const SpeedFigure& 
          << "set yrange [" + limits + "]"
          << "set xrange [" + number(0.5 * bottom) + ":" + number(2.5 * top) + "]"
          << "set xlabel 'speed (m/s), logarithmic'"
-         << "set key outside below center horizontal"
          << "set arrow from 0.5,graph 0 to 0.5,graph 1 nohead lw 2 dt 2 lc " + std::string(kPink)
          << "set arrow from 1,graph 0 to 1,graph 1 nohead lw 2 dt 4 lc " + std::string(kRed)
          << "set boxwidth 0.5"
          << "set style fill solid 0.75";
+  figure.key_below(110);
   figure.plot({block + " using (0.5*(" + number(0.5 * bottom) + "+$1)):2:(" + number(0.5 * bottom) +
                    "):1:($2-0.3):($2+0.3) with boxxyerror lc " + kBlue + " title 'ours'",
                "NaN with lines lw 2 dt 2 lc " + std::string(kPink) + " title 'the paper: 0.5 m/s'",

@@ -81,7 +81,8 @@ Figure::Figure(std::filesystem::path folder, std::string name, int width_px, int
                Format format)
     : folder_(std::move(folder)),
       name_(std::move(name)),
-      extension_(format == Format::kSvg ? "svg" : "png") {
+      extension_(format == Format::kSvg ? "svg" : "png"),
+      height_px_(height_px) {
   script_ = terminal(extension_, name_, width_px, height_px) + kStyle;
 }
 
@@ -139,6 +140,11 @@ Figure& Figure::title(const std::string& title, const std::string& protocol) {
   if (!protocol.empty()) title_ += "\\n{/*0.85 " + without_markup(protocol) + "}";
   title_ += "\"";
   return *this << "set title " + title_;
+}
+
+Figure& Figure::key_below(int margin_px) {
+  return *this << "set key at screen 0.5,screen 0.015 center bottom horizontal"
+               << "set bmargin at screen " + number(double(margin_px) / height_px_);
 }
 
 Figure& Figure::plot(const std::vector<std::string>& elements) {

@@ -32,6 +32,8 @@ class Figure {
   Figure& operator<<(const std::string& line);
   /// Sets the title, with the protocol in smaller print below.
   Figure& title(const std::string& title, const std::string& protocol);
+  /// Puts the legend below the plot, which ends so many pixels above the picture's edge.
+  Figure& key_below(int margin_px);
   /// Adds one plot command of several elements.
   Figure& plot(const std::vector<std::string>& elements);
 
@@ -42,7 +44,7 @@ class Figure {
  private:
   std::filesystem::path folder_;
   std::string name_, extension_, data_, script_, title_;
-  int blocks_ = 0;
+  int height_px_ = 0, blocks_ = 0;
   bool empty_ = true;
 };
 

@@ -1,0 +1,168 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "algo/types/angles.h"
+#include "eval/report/figure_accuracy.h"
+#include "eval/report/figure_errors.h"
+#include "eval/report/figure_stem_recall.h"
+#include "eval/report/figure_success.h"
+#include "eval/report/figure_trunks.h"
+#include "eval/run/localization_figures.h"
+#include "eval/run/paper_li2020.h"
+
+namespace honka::eval {
+namespace {
+
+/// Rows of the default variant with so many frames.
+std::vector<std::size_t> default_rows(const Table& table, std::int64_t frames) {
+  std::vector<std::size_t> rows;
+  for (std::size_t row = 0; row < table.rows(); ++row) {
+    if (table.strings("variant")[row] == "default" && table.ints("frames")[row] == frames) {
+      rows.push_back(row);
+    }
+  }
+  return rows;
+}
+
+std::vector<std::int64_t> frame_numbers(const std::vector<LocalizationSummary>& summaries) {
+  std::vector<std::int64_t> numbers;
+  for (const auto& summary : summaries) {
+    if (summary.variant == "default") numbers.push_back(summary.frames);
+  }
+  return numbers;
+}
+
+std::string n_windows(const std::vector<LocalizationSummary>& summaries) {
+  const auto& first = summaries.front();
+  return fmt::format("{} disjoint windows, map: {}, tolerance {} m²", first.windows, first.map,
+                     first.tolerance_m2);
+}
+
+ReportFigure success(const std::filesystem::path& folder,
+                     const std::vector<LocalizationSummary>& summaries) {
+  SuccessFigure figure;
+  figure.protocol = n_windows(summaries) + "; Wilson intervals, 95 %";
+  for (const LocalizationSummary& s : summaries) {
+    const bool shown = s.variant == "default" || s.variant == "same_run" || s.variant == "repaired";
+    if (!shown) continue;
+    const std::string label = s.variant == "default"    ? "map of the " + s.map
+                              : s.variant == "same_run" ? "map of the same run"
+                                                        : "repaired chain, map of the " + s.map;
+    if (figure.series.empty() || figure.series.back().label != label) {
+      figure.series.push_back({label, {}});
+    }
+    figure.series.back().points.push_back(
+        {s.frames, s.success_rate(), s.success_interval.low, s.success_interval.high});
+  }
+  std::replace(figure.protocol.begin(), figure.protocol.end(), '_', ' ');
+  for (auto& series : figure.series) {
+    std::replace(series.label.begin(), series.label.end(), '_', ' ');
+  }
+  for (const std::int64_t frames : frame_numbers(summaries)) {
+    if (const auto paper = paper_row(frames)) {
+      figure.paper.push_back({frames, paper->success_rate, 0, 0});
+    }
+  }
+  return draw_success(folder, figure);
+}
+
+WindowCountsFigure counts(const Table& table, const std::vector<LocalizationSummary>& summaries,
+                          const char* column, double PaperRow::*member) {
+  WindowCountsFigure figure;
+  figure.protocol = n_windows(summaries);
+  for (const std::int64_t frames : frame_numbers(summaries)) {
+    WindowCounts series;
+    series.frames = frames;
+    for (const std::size_t row : default_rows(table, frames)) {
+      series.counts.push_back(static_cast<double>(table.ints(column)[row]));
+    }
+    if (const auto paper = paper_row(frames)) series.paper_mean = (*paper).*member;
+    figure.series.push_back(std::move(series));
+  }
+  return figure;
+}
+
+ReportFigure accuracy(const std::filesystem::path& folder, const Table& table,
+                      const std::vector<LocalizationSummary>& summaries) {
+  AccuracyFigure figure;
+  figure.protocol = n_windows(summaries) + "; successes only";
+  for (const std::int64_t frames : frame_numbers(summaries)) {
+    AccuracySeries series;
+    series.frames = frames;
+    for (const std::size_t row : default_rows(table, frames)) {
+      if (table.ints("success")[row] == 0) continue;
+      series.rotation_error_deg.push_back(rad_to_deg(table.doubles("rotation_error_rad")[row]));
+      series.match_time_s.push_back(1e-3 * table.doubles("match_ms")[row]);
+      series.map_time_s.push_back(
+          1e-3 * (table.doubles("aggregate_ms")[row] + table.doubles("extract_ms")[row]));
+    }
+    figure.series.push_back(std::move(series));
+  }
+  return draw_accuracy(folder, figure);
+}
+
+ReportFigure errors(const std::filesystem::path& folder, const Table& table,
+                    const std::vector<LocalizationSummary>& summaries) {
+  ErrorsFigure figure;
+  figure.protocol = n_windows(summaries) + "; accepted answers";
+  for (const std::int64_t frames : frame_numbers(summaries)) {
+    ErrorSeries series;
+    series.frames = frames;
+    for (const std::size_t row : default_rows(table, frames)) {
+      if (table.ints("accepted")[row] == 0) continue;
+      series.to_truth_m.push_back(table.doubles("translation_error_m")[row]);
+      series.to_odometry_m.push_back(table.doubles("error_to_odometry_m")[row]);
+    }
+    figure.series.push_back(std::move(series));
+  }
+  return draw_errors(folder, figure);
+}
+
+ReportFigure recall(const std::filesystem::path& folder,
+                    const std::vector<LocalizationSummary>& summaries,
+                    const std::vector<DetectionSummary>& detection) {
+  StemRecallFigure figure;
+  figure.protocol = n_windows(summaries) + "; trees in the field of view, hidden ones too";
+  const auto share = [](std::int64_t part, std::int64_t whole) {
+    return whole == 0 ? std::nan("") : static_cast<double>(part) / static_cast<double>(whole);
+  };
+  for (const DetectionSummary& summary : detection) {
+    if (summary.variant != "default") continue;
+    StemRecallSeries series{fmt::format("C{}", summary.frames), {}};
+    for (const auto& bin : summary.bins) {
+      series.bins.push_back({bin.low_m, bin.high_m, share(bin.trees_found, bin.trees),
+                             share(bin.found_true, bin.found)});
+    }
+    figure.series.push_back(std::move(series));
+  }
+  return draw_stem_recall(folder, figure);
+}
+
+ReportFigure speed(const std::filesystem::path& folder,
+                   const std::vector<LocalizationSummary>& summaries) {
+  SpeedFigure figure;
+  figure.protocol = "a key frame comes every p95 of the online time; one core";
+  for (const LocalizationSummary& s : summaries) {
+    if (s.variant != "default" && s.variant != "repaired") continue;
+    figure.rows.push_back({fmt::format("C{}, {}", s.frames, s.variant), s.keeps_up_m_s});
+  }
+  return draw_speed(folder, figure);
+}
+
+}  // namespace
+
+std::vector<ReportFigure> draw_statistics(const std::filesystem::path& folder, const Table& frames,
+                                          const std::vector<LocalizationSummary>& summaries,
+                                          const std::vector<DetectionSummary>& detection) {
+  if (summaries.empty()) return {};
+  return {success(folder, summaries),
+          draw_trunks(folder, counts(frames, summaries, "stems", &PaperRow::trunks)),
+          draw_matches(folder, counts(frames, summaries, "matches", &PaperRow::matching_triangles)),
+          accuracy(folder, frames, summaries),
+          errors(folder, frames, summaries),
+          recall(folder, summaries, detection),
+          speed(folder, summaries)};
+}
+
+}  // namespace honka::eval
