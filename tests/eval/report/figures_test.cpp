@@ -101,7 +101,7 @@ TEST_CASE("figures: matched stars and pairing, Figures 6 and 7") {
     input.map_stars.push_back(partner);
   }
   input.target = input.local_stars[4];
-  input.protocol = "C10, window 17, 12 matches, 11 agree";
+  input.protocol = "C10, window 17, 13 matches, 12 agree";
   check_drawn(folder, draw_matched_stars(folder.path(), input), "matched_stars", "svg");
   const PairingFigure pair{input.local_stars[4], input.map_stars[4], "C10, residual 0.11 m"};
   check_drawn(folder, draw_pairing(folder.path(), pair), "pairing", "svg");
