@@ -26,25 +26,20 @@ bool count_bytes(void* total, ssize_t bytes, bool) {
   return true;
 }
 
-/// Tests one primitive against the valid rays of a packet (of one, for rtcIntersect1).
+/// Tests one primitive against the ray of an rtcIntersect1.
 template <typename Primitive>
 void intersect_user(const RTCIntersectFunctionNArguments* args) {
+  // N is 1: this scene is never asked for packets.
+  if (args->valid[0] == 0) return;
   const Primitive& primitive = static_cast<const Primitive*>(args->geometryUserPtr)[args->primID];
-  RTCRayN* rays = RTCRayHitN_RayN(args->rayhit, args->N);
-  for (unsigned i = 0; i < args->N; ++i) {
-    if (args->valid[i] == 0) continue;
-    const unsigned n = args->N;
-    const Ray ray = {RTCRayN_org_x(rays, n, i), RTCRayN_org_y(rays, n, i),
-                     RTCRayN_org_z(rays, n, i), RTCRayN_dir_x(rays, n, i),
-                     RTCRayN_dir_y(rays, n, i), RTCRayN_dir_z(rays, n, i)};
-    float& far = RTCRayN_tfar(rays, n, i);
-    const double t = intersect(ray, primitive, RTCRayN_tnear(rays, n, i), far);
-    if (t == kNoHit) continue;
-    RTCHitN* hits = RTCRayHitN_HitN(args->rayhit, n);
-    far = static_cast<float>(t);
-    RTCHitN_geomID(hits, n, i) = args->geomID;
-    RTCHitN_primID(hits, n, i) = args->primID;
-  }
+  auto& query = *reinterpret_cast<RTCRayHit*>(args->rayhit);
+  RTCRay& r = query.ray;
+  const Ray ray = {r.org_x, r.org_y, r.org_z, r.dir_x, r.dir_y, r.dir_z};
+  const double t = intersect(ray, primitive, r.tnear, r.tfar);
+  if (t == kNoHit) return;
+  r.tfar = static_cast<float>(t);
+  query.hit.geomID = args->geomID;
+  query.hit.primID = args->primID;
 }
 
 void set_bounds(const Box& box, RTCBounds* out) {
@@ -135,21 +130,6 @@ void EmbreeScene::attach_mesh(const TriangleMesh& mesh) {
   rtcAttachGeometry(scene_, geometry);
   rtcReleaseGeometry(geometry);
   mesh_labels_.push_back(mesh.label);
-}
-
-void EmbreeScene::aim(RTCRayHit& query, const Ray& ray, double far_m) {
-  query.ray.org_x = static_cast<float>(ray.ox);
-  query.ray.org_y = static_cast<float>(ray.oy);
-  query.ray.org_z = static_cast<float>(ray.oz);
-  query.ray.dir_x = static_cast<float>(ray.dx);
-  query.ray.dir_y = static_cast<float>(ray.dy);
-  query.ray.dir_z = static_cast<float>(ray.dz);
-  query.ray.tnear = 0.0F;
-  query.ray.tfar = static_cast<float>(far_m);
-  query.ray.time = 0.0F;
-  query.ray.mask = ~0U;
-  query.ray.flags = 0;
-  query.hit.geomID = RTC_INVALID_GEOMETRY_ID;
 }
 
 void EmbreeScene::cast(std::span<RTCRayHit> queries) const {

@@ -58,4 +58,19 @@ class EmbreeScene {
   BuildStatistics statistics_;
 };
 
+inline void EmbreeScene::aim(RTCRayHit& query, const Ray& ray, double far_m) {
+  query.ray.org_x = static_cast<float>(ray.ox);
+  query.ray.org_y = static_cast<float>(ray.oy);
+  query.ray.org_z = static_cast<float>(ray.oz);
+  query.ray.dir_x = static_cast<float>(ray.dx);
+  query.ray.dir_y = static_cast<float>(ray.dy);
+  query.ray.dir_z = static_cast<float>(ray.dz);
+  query.ray.tnear = 0.0F;
+  query.ray.tfar = static_cast<float>(far_m);
+  query.ray.time = 0.0F;
+  query.ray.mask = ~0U;
+  query.ray.flags = 0;
+  query.hit.geomID = RTC_INVALID_GEOMETRY_ID;
+}
+
 }  // namespace honka::sim

@@ -12,7 +12,9 @@ Shooter::Shooter(const LidarSimulator& lidar, const Trajectory& trajectory,
       poses_(trajectory, static_cast<double>(sweep_index) * lidar.model_.sweep_period_s(),
              lidar.model_.sweep_period_s() + lidar.model_.firing_period_s),
       occluders_(occluders_in_lidar),
-      half_view_rad_(deg_to_rad(0.5 * lidar.settings_.field_of_view_deg)) {
+      ticks_per_m_(1.0 / lidar.model_.range_resolution_m),
+      half_view_rad_(deg_to_rad(0.5 * lidar.settings_.field_of_view_deg)),
+      queries_(lidar.beams_.size() * lidar.footprint_.size()) {
   Sweep& sweep = result_.sweep;
   sweep.index = sweep_index;
   sweep.start_time_s = static_cast<double>(sweep_index) * lidar.model_.sweep_period_s();
@@ -41,12 +43,12 @@ void Shooter::fire(std::uint32_t firing, double offset_s) {
   head_sin_ = std::sin(azimuth);
   occluders_.aim(azimuth);
   // The rays of a firing are aimed, cast and received together: short loops, one after the other.
-  queries_.clear();
+  aimed_ = 0;
   machine_.clear();
   for (std::uint32_t laser = first; laser < end; ++laser) {
     aim(beams[laser], offset_s + beams[laser].offset_s);
   }
-  scene_.cast(queries_);
+  scene_.cast({queries_.data(), aimed_});
   std::size_t query = 0;
   for (std::uint32_t laser = first; laser < end; ++laser, query += lidar_.footprint_.size()) {
     finish(firing, laser, offset_s + beams[laser].offset_s, receive(query));
@@ -69,7 +71,7 @@ void Shooter::aim(const Beam& beam, double offset_s) {
       machine_.push_back(occluders_.cast(ray, far));
       far = std::min(far, machine_.back().range_m);
     }
-    EmbreeScene::aim(queries_.emplace_back(), to_world(T_world_lidar, ray), far);
+    EmbreeScene::aim(queries_[aimed_++], to_world(T_world_lidar, ray), far);
   }
 }
 
@@ -131,7 +133,7 @@ bool Shooter::detected(const Echo& echo, std::uint32_t bits) const {
 void Shooter::report(const Echo* echo, std::uint32_t laser, double offset_s,
                      std::uint32_t noise_bits, std::uint8_t number) {
   Return r;
-  r.time_offset_ns = static_cast<std::uint32_t>(offset_s * 1e9 + 0.5);
+  r.time_offset_ns = static_cast<std::uint32_t>(static_cast<std::int64_t>(offset_s * 1e9 + 0.5));
   r.laser = static_cast<std::uint8_t>(laser);
   r.echo = number;
   ReturnTruth truth;
@@ -139,10 +141,11 @@ void Shooter::report(const Echo* echo, std::uint32_t laser, double offset_s,
     const double sigma = lidar_.settings_.range_noise_m;
     const double measured = echo->range_m + lidar_.biases_m_[laser] +
                             (sigma > 0.0 ? sigma * normal_of(noise_bits) : 0.0);
-    const double ticks = measured / lidar_.model_.range_resolution_m + 0.5;
+    const double ticks = measured * ticks_per_m_ + 0.5;
     if (ticks >= 1.0) {
-      r.range_ticks = static_cast<std::uint16_t>(std::min(ticks, 65535.0));
-      r.reflectivity = static_cast<std::uint8_t>(std::min(echo->brightness + 0.5, 100.0));
+      r.range_ticks = static_cast<std::uint16_t>(static_cast<int>(std::min(ticks, 65535.0)));
+      r.reflectivity =
+          static_cast<std::uint8_t>(static_cast<int>(std::min(echo->brightness + 0.5, 100.0)));
       truth = {echo->label, static_cast<float>(echo->exact_range_m)};
     }
   }

@@ -41,9 +41,11 @@ class Shooter {
   SweepPoses poses_;
   Occluders occluders_;
   TruthfulSweep result_;
+  double ticks_per_m_;
   double half_view_rad_;
   double head_cos_ = 1.0, head_sin_ = 0.0;  ///< of the azimuth at the firing's start
   std::vector<RTCRayHit> queries_;          ///< of one firing, sub-rays of a shot together
+  std::size_t aimed_ = 0;                   ///< queries in use
   std::vector<Hit> machine_;                ///< beside the queries, while occluders are aimed at
   std::array<SubHit, kMostSubRays> hits_;
   Echoes echoes_;

@@ -29,7 +29,7 @@ class SweepPoses {
 
 inline SweepPoses::Matrix34 SweepPoses::at(double offset_s) const {
   const double place = offset_s * (1.0 / kKnot_s);
-  const auto knot = static_cast<std::size_t>(place);
+  const auto knot = static_cast<std::size_t>(static_cast<std::ptrdiff_t>(place));
   const double share = place - static_cast<double>(knot);
   const Matrix34& p = knots_[knot];
   const Matrix34& q = knots_[knot + 1];
