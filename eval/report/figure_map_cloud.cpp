@@ -46,7 +46,7 @@ ReportFigure draw_map_cloud(const std::filesystem::path& folder, const MapCloudF
          << "set key at screen 0.87,screen " + number(strip + 96.0 / height) +
                 " right top horizontal";
   figure.plot(
-      {cloud + " using 1:2:3 with points pt 7 ps 0.3 lc palette notitle",
+      {cloud + " using 1:2:3 with dots lc palette notitle",
        stems + " using 1:2 with points pt 6 ps 0.7 lw 1.2 lc " + kRed + " title 'stem found'",
        path + " using 1:2 with lines lw 2.5 lc " + kBlack + " title 'path of the sensor'"});
   figure << "unset title"
@@ -57,7 +57,7 @@ ReportFigure draw_map_cloud(const std::filesystem::path& folder, const MapCloudF
          << "set bmargin at screen " + number(64.0 / height) << "set xlabel 'x (m)'"
          << "set ylabel 'z (m)'" << range("y", z, 1.0)
          << "set label 1 'from the side' at graph 0.01,0.9 front";
-  figure.plot({cloud + " using 1:3:3 with points pt 7 ps 0.3 lc palette notitle"});
+  figure.plot({cloud + " using 1:3:3 with points pt 7 ps 0.15 lc palette notitle"});
   figure << "unset multiplot";
   return figure.draw("Point-cloud map (the paper's Figure 1c)",
                      "The map that local scans are matched with, from above and from the side, "
