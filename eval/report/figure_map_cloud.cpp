@@ -19,6 +19,20 @@ std::vector<double> coordinate(const std::vector<Eigen::Vector3d>& points, int a
   return values;
 }
 
+/// The strip at the foot of the picture: x against z.
+void draw_side_view(Figure& figure, const std::string& cloud, std::pair<double, double> z,
+                    double strip, int height) {
+  figure << "unset title"
+         << "unset key"
+         << "unset colorbox"
+         << "set format x '%g'"
+         << "set tmargin at screen " + number(strip + 50.0 / height)
+         << "set bmargin at screen " + number(64.0 / height) << "set xlabel 'x (m)'"
+         << "set ylabel 'z (m)'" << range("y", z, 1.0)
+         << "set label 1 'from the side' at graph 0.01,0.9 front";
+  figure.plot({cloud + " using 1:3:3 with points pt 7 ps 0.15 lc palette notitle"});
+}
+
 }  // namespace
 
 ReportFigure draw_map_cloud(const std::filesystem::path& folder, const MapCloudFigure& input) {
@@ -49,15 +63,7 @@ ReportFigure draw_map_cloud(const std::filesystem::path& folder, const MapCloudF
       {cloud + " using 1:2:3 with dots lc palette notitle",
        stems + " using 1:2 with points pt 6 ps 0.7 lw 1.2 lc " + kRed + " title 'stem found'",
        path + " using 1:2 with lines lw 2.5 lc " + kBlack + " title 'path of the sensor'"});
-  figure << "unset title"
-         << "unset key"
-         << "unset colorbox"
-         << "set format x '%g'"
-         << "set tmargin at screen " + number(strip + 50.0 / height)
-         << "set bmargin at screen " + number(64.0 / height) << "set xlabel 'x (m)'"
-         << "set ylabel 'z (m)'" << range("y", z, 1.0)
-         << "set label 1 'from the side' at graph 0.01,0.9 front";
-  figure.plot({cloud + " using 1:3:3 with points pt 7 ps 0.15 lc palette notitle"});
+  draw_side_view(figure, cloud, z, strip, height);
   figure << "unset multiplot";
   return figure.draw("Point-cloud map (the paper's Figure 1c)",
                      "The map that local scans are matched with, from above and from the side, "

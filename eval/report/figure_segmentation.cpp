@@ -32,6 +32,19 @@ void place_panel(Figure& figure, int panel) {
   if (panel == 2) figure << "set xlabel 'x, ahead of the sensor (m)'";
 }
 
+/// What the three panels share: ranges, names of the axes, the scale of heights.
+void set_style(Figure& figure, std::pair<double, double> x, std::pair<double, double> z) {
+  figure << "set multiplot"
+         << "set lmargin at screen 0.08"
+         << "set rmargin at screen 0.87"
+         << "set xrange [" + number(x.first - 1) + ":" + number(x.second + 1) + "]"
+         << "set yrange [" + number(z.first - 0.5) + ":" + number(z.second + 0.5) + "]"
+         << "set cbrange [" + number(z.first) + ":" + number(z.second) + "]" << kHeightPalette
+         << "set ylabel 'z (m)'"
+         << "set cblabel 'z (m)'"
+         << "set key at graph 1,1.16 right horizontal";
+}
+
 }  // namespace
 
 ReportFigure draw_segmentation(const std::filesystem::path& folder,
@@ -46,15 +59,7 @@ ReportFigure draw_segmentation(const std::filesystem::path& folder,
       figure.data("(b) kept: x y z", columns_of(slice(input.kept, input.slice_half_width_m)));
   const std::string clusters = figure.data(
       "(c) clusters: x y z", columns_of(slice(input.clusters, input.slice_half_width_m)));
-  figure << "set multiplot"
-         << "set lmargin at screen 0.08"
-         << "set rmargin at screen 0.87"
-         << "set xrange [" + number(x.first - 1) + ":" + number(x.second + 1) + "]"
-         << "set yrange [" + number(z.first - 0.5) + ":" + number(z.second + 0.5) + "]"
-         << "set cbrange [" + number(z.first) + ":" + number(z.second) + "]" << kHeightPalette
-         << "set ylabel 'z (m)'"
-         << "set cblabel 'z (m)'"
-         << "set key at graph 1,1.16 right horizontal";
+  set_style(figure, x, z);
   figure.title("Trunk segmentation in three stages, seen from the side", input.protocol);
   place_panel(figure, 0);
   figure << "set label 1 '(a) original cloud' at graph 0.01,1.06 front";
