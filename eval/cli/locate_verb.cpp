@@ -1,9 +1,12 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "algo/localize/matcher.h"
+#include "algo/types/user_error.h"
 #include "eval/cli/verbs.h"
 #include "eval/io/csv.h"
 
@@ -57,18 +60,32 @@ void print_text(const nlohmann::ordered_json& json) {
              int{json["matches"]}, int{json["agreeing"]}, double{json["time_ms"]});
 }
 
+/// The matcher over the map; its complaint about the stems names their file.
+std::unique_ptr<Matcher> make_matcher(const LocateArguments& arguments, const StemMap& map) {
+  LocalizeSettings settings;
+  settings.method = arguments.method;
+  settings.li2020.tolerance_m2 = arguments.tolerance_m2;
+  const auto names = matcher_names();
+  const bool known = std::find(names.begin(), names.end(), arguments.method) != names.end();
+  try {
+    return create_matcher(arguments.method, positions(map), settings);
+  } catch (const UserError& error) {
+    throw UserError((known ? arguments.map.string() : "--method") + ": " + error.what());
+  }
+}
+
 }  // namespace
 
 int locate_verb(const LocateArguments& arguments) {
+  if (!std::isfinite(arguments.tolerance_m2)) {
+    throw UserError("--tolerance-m2: must be a finite number of square metres, such as 4.5");
+  }
   const StemMap map = read_stem_csv(arguments.map);
   std::vector<std::vector<Eigen::Vector2d>> locals;
   for (const auto& file : arguments.locals) locals.push_back(positions(read_stem_csv(file)));
 
-  LocalizeSettings settings;
-  settings.method = arguments.method;
-  settings.li2020.tolerance_m2 = arguments.tolerance_m2;
   const auto map_start = Clock::now();
-  const auto matcher = create_matcher(arguments.method, positions(map), settings);
+  const auto matcher = make_matcher(arguments, map);
   const double map_ms = milliseconds_since(map_start);
 
   for (std::size_t i = 0; i < locals.size(); ++i) {

@@ -12,6 +12,9 @@ namespace {
 constexpr int kUserMistake = 2;
 constexpr int kUnfinished = 3;
 
+constexpr int kMostThreads = 1024;
+constexpr double kLargestTolerance_m2 = 1000.0;
+
 /// What the parsed command line asks for; empty until a verb was seen.
 using Action = std::function<int()>;
 
@@ -28,9 +31,9 @@ void add_run(CLI::App& app, RunArguments& arguments, Action& action) {
   auto& verb = *app.add_subcommand("run", "run a scenario: tables, figures, report");
   add_scenario_options(verb, arguments);
   verb.add_option("--threads", arguments.threads, "0: as many as there are cores")
-      ->check(CLI::NonNegativeNumber);
+      ->check(CLI::Range(0, kMostThreads));
   verb.add_option("--trial", arguments.trial, "one trial (stand) alone")
-      ->check(CLI::NonNegativeNumber);
+      ->check(CLI::Range(std::int64_t{0}, std::int64_t{1000000}));
   verb.add_option("--out", arguments.out, "folder of the results");
   verb.callback([&] { action = [&] { return run_verb(arguments); }; });
 }
@@ -39,7 +42,7 @@ void add_simulate(CLI::App& app, SimulateArguments& arguments, Action& action) {
   auto& verb = *app.add_subcommand("simulate", "record a drive through a stand: scans and truth");
   add_scenario_options(verb, arguments);
   verb.add_option("--threads", arguments.threads, "0: as many as there are cores")
-      ->check(CLI::NonNegativeNumber);
+      ->check(CLI::Range(0, kMostThreads));
   verb.add_option("--out", arguments.out, "recording to write (.h5)")->required();
   verb.callback([&] { action = [&] { return simulate_verb(arguments); }; });
 }
@@ -50,7 +53,7 @@ void add_locate(CLI::App& app, LocateArguments& arguments, Action& action) {
   verb.add_option("LOCAL", arguments.locals, "stem lists seen from the sensor (CSV)")->required();
   verb.add_option("--method", arguments.method, "how: li2020");
   verb.add_option("--tolerance-m2", arguments.tolerance_m2, "of a triangle and its neighbours")
-      ->check(CLI::NonNegativeNumber);
+      ->check(CLI::Range(0.0, kLargestTolerance_m2));
   verb.add_flag("--json", arguments.json, "one JSON object a local file");
   verb.callback([&] { action = [&] { return locate_verb(arguments); }; });
 }

@@ -2,6 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <functional>
+
 #include "algo/types/user_error.h"
 #include "eval/config/scenario_reader.h"
 #include "eval/io/csv.h"
@@ -51,6 +54,40 @@ fs::path find_data(const std::string& path, const fs::path& scenario_file) {
   return fs::exists(beside) ? beside : fs::path(path);
 }
 
+std::string place_of(const ResolvedScenario& resolved, const std::string& key) {
+  const auto origin = resolved.origins.find(key);
+  return origin == resolved.origins.end() ? resolved.file.string() : origin->second;
+}
+
+/// A number that stands twice in a list of variants would count its windows twice.
+template <class Number>
+void check_increasing(const ResolvedScenario& resolved, const std::string& key,
+                      const std::vector<Number>& values) {
+  const auto falling = std::greater_equal<Number>();
+  if (std::adjacent_find(values.begin(), values.end(), falling) == values.end()) return;
+  throw UserError(fmt::format("{}: {} must increase, each number once; write it like [1, 3, 5]",
+                              place_of(resolved, key), key));
+}
+
+void check_protocol(const ResolvedScenario& resolved) {
+  const Scenario& scenario = resolved.scenario;
+  if (scenario.protocol.frames.empty()) {
+    throw UserError(fmt::format("{}: protocol.frames is empty; give at least one number, [1, 3]",
+                                place_of(resolved, "protocol.frames")));
+  }
+  check_increasing(resolved, "protocol.frames", scenario.protocol.frames);
+  check_increasing(resolved, "variants.tolerances_m2", scenario.variants.tolerances_m2);
+}
+
+StemMap read_measured(const ResolvedScenario& resolved) {
+  try {
+    return read_stem_csv(find_data(resolved.scenario.forest.stem_map, resolved.file));
+  } catch (const UserError& error) {
+    throw UserError(fmt::format("{}: forest.stem_map: {}", place_of(resolved, "forest.stem_map"),
+                                error.what()));
+  }
+}
+
 std::string hash_of(const Scenario& scenario) {
   std::string text;
   for (const KeyEntry& entry : list_keys(scenario)) {
@@ -83,8 +120,9 @@ ResolvedScenario load_scenario(const fs::path& file, const std::vector<std::stri
   describe(reader, scenario);
   reader.check_all_read();
   for (const auto& [key, value] : values) resolved.origins[key] = value.place;
+  check_protocol(resolved);
   if (!scenario.forest.stem_map.empty()) {
-    scenario.measured = read_stem_csv(find_data(scenario.forest.stem_map, file));
+    scenario.measured = read_measured(resolved);
   }
   resolved.hash = hash_of(scenario);
   return resolved;

@@ -10,7 +10,13 @@
 namespace honka::eval {
 namespace {
 
-void silence() { H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr); }
+/// HDF5 neither prints nor cleans up at exit, where it would write once more, and crash, on a file
+/// that it could not close on a full disk. Comes before every other call of HDF5.
+void silence() {
+  static const int kNoExitHandler = H5dont_atexit();
+  static_cast<void>(kNoExitHandler);
+  H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
+}
 
 /// The texts of HDF5's error stack in one string.
 std::string error_stack() {
