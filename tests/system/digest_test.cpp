@@ -26,14 +26,14 @@ std::string digest_of(const TemporaryFolder& folder, const std::vector<std::stri
   return digest;
 }
 
-/// The cells of the digest's columns in the rows of one trial, as bits.
+/// The cells of the digest's columns but the trial's number in the rows of one trial, as bits.
 std::vector<std::string> rows_of(const Table& table, std::int64_t trial) {
   std::vector<std::string> rows;
   for (std::size_t row = 0; row < table.rows(); ++row) {
     if (table.ints("trial")[row] != trial) continue;
     std::string cells;
     for (const Column& column : table.columns()) {
-      if (!column.in_digest) continue;
+      if (!column.in_digest || column.name == "trial") continue;
       if (const auto* texts = std::get_if<std::vector<std::string>>(&column.values)) {
         cells += (*texts)[row] + ";";
       } else if (const auto* integers = std::get_if<std::vector<std::int64_t>>(&column.values)) {

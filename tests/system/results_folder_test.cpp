@@ -1,4 +1,6 @@
 // What a results folder holds, and that it is replaced as a whole.
+#include <map>
+
 #include "eval/io/table.h"
 #include "tests/system/program.h"
 
@@ -88,6 +90,19 @@ void check_table1(const Json& table) {
   CHECK_THAT(table["protocol"].get<std::string>(), Catch::Contains("disjoint"));
 }
 
+/// Rows of a window answer for the same place, whatever their frames and variant.
+void check_places(const honka::eval::Table& frames) {
+  std::map<std::int64_t, std::array<double, 3>> places;
+  for (std::size_t row = 0; row < frames.rows(); ++row) {
+    const std::array<double, 3> place = {frames.doubles("true_x_m")[row],
+                                         frames.doubles("true_y_m")[row],
+                                         frames.doubles("true_yaw_rad")[row]};
+    const auto [known, is_new] = places.try_emplace(frames.ints("window")[row], place);
+    CHECK((is_new || known->second == place));
+  }
+  CHECK(places.size() * 4 == frames.rows());
+}
+
 }  // namespace
 
 TEST_CASE("summary.json has every key and the rows of table1, the default first") {
@@ -105,6 +120,7 @@ TEST_CASE("summary.json has every key and the rows of table1, the default first"
     CHECK(trials.rows() == 1);
     CHECK(static_cast<std::int64_t>(frames.rows()) == 4 * trials.ints("windows")[0]);
     CHECK(honka::eval::results_digest({&trials, &frames}) == summary["results_digest"]);
+    check_places(frames);
     CHECK(frames.column("x_m").unit == "m");
     CHECK(frames.column("x_m").frame == "map");
     const auto context = honka::eval::read_context_h5(folder / "out/trials.h5");
