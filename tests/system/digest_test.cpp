@@ -76,7 +76,7 @@ TEST_CASE("a trial alone has the rows that it has among others") {
     CAPTURE(group);
     CHECK(rows_of(alone, 0).empty());
     REQUIRE_FALSE(rows_of(alone, 1).empty());
-    CHECK(rows_of(alone, 1) == rows_of(both, 1));
-    CHECK(rows_of(both, 0) != rows_of(both, 1));
+    CHECK((rows_of(alone, 1) == rows_of(both, 1)));
+    CHECK((rows_of(both, 0) != rows_of(both, 1)));
   }
 }
