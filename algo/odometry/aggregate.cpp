@@ -116,13 +116,12 @@ LocalCloud aggregate(std::span<const PosedSweep> sweeps, const LidarModel& model
   return cloud;
 }
 
-void CloudMap::add(const PosedSweep& posed, const LidarModel& model,
-                   const KeyFrameSettings& settings) {
-  const auto frame = static_cast<std::uint32_t>(origins_m_.size());
-  visit_points(posed, model, settings, [&](const Eigen::Vector3d& point_in_map) {
-    if (voxels_.insert(point_in_map)) frames_.push_back(frame);
-  });
-  origins_m_.push_back(posed.T_odom_start.translation());
+void CloudMap::add(const LocalCloud& cloud_in_map) {
+  const auto first = static_cast<std::uint32_t>(origins_m_.size());
+  for (std::size_t i = 0; i < cloud_in_map.size(); ++i) {
+    if (voxels_.insert(cloud_in_map.points_m[i])) frames_.push_back(first + cloud_in_map.frames[i]);
+  }
+  origins_m_.insert(origins_m_.end(), cloud_in_map.origins_m.begin(), cloud_in_map.origins_m.end());
 }
 
 LocalCloud CloudMap::cloud() const { return {voxels_.points_m(), frames_, origins_m_}; }

@@ -47,8 +47,8 @@ Eigen::Vector3d for_each_point(const PosedSweep& posed, const LidarModel& model,
 class CloudMap {
  public:
   explicit CloudMap(double voxel_m) : voxels_(voxel_m) {}
-  /// Adds a sweep; the poses are T_map_lidar.
-  void add(const PosedSweep& posed, const LidarModel& model, const KeyFrameSettings& settings);
+  /// Adds points that are in the map frame already: `aggregate` with the identity as reference.
+  void add(const LocalCloud& cloud_in_map);
   [[nodiscard]] std::size_t size() const { return voxels_.size(); }
   /// The first point of each voxel, with the sweep that saw it, in the map frame.
   [[nodiscard]] LocalCloud cloud() const;

@@ -15,7 +15,7 @@ void describe(SettingsVisitor& v, KeyFrameSettings& s) {
            "choice: one gives the paper's 54 trunks a frame, three give 100"},
           s.sweeps, {1, 100});
   v.field({"min_range_m", "m", "nearer returns are dropped: the machine itself",
-           "choice: VLP-16 manual, least range 0.5–1 m"},
+           "choice: the crane as it is carried ends 3.2 m ahead of the sensor"},
           s.min_range_m, {0.0, 1000.0});
   v.field({"max_range_m", "m", "farther returns are dropped",
            "choice: channels are 1.4 m apart there; 60 m costs a fifth of the recall"},

@@ -13,7 +13,7 @@ struct KeyFrameSettings {
   double distance_m = 0.3;
   double angle_deg = 30.0;
   std::int64_t sweeps = 1;
-  double min_range_m = 1.0;
+  double min_range_m = 3.5;
   double max_range_m = 40.0;
 };
 

@@ -116,6 +116,13 @@ Indices trunk_points(const LocalCloud& cloud, const Indices& usable, const StemS
                 has_other_within(plane_of(cloud, raised), settings.planar_radius_m, choice.search));
 }
 
+/// Points that a cluster must have: the threshold, and its share for each sweep of the cloud.
+std::size_t least_points(const LocalCloud& cloud, const StemSettings& settings) {
+  const double stable = settings.points_per_sweep * static_cast<double>(cloud.origins_m.size());
+  return std::max(static_cast<std::size_t>(settings.cluster_threshold),
+                  static_cast<std::size_t>(std::ceil(stable)));
+}
+
 /// Groups of `trunk`, each by rising index.
 std::vector<Indices> clusters_of(const LocalCloud& cloud, const Indices& trunk,
                                  const StemSettings& settings, const Choice& choice) {
@@ -123,11 +130,12 @@ std::vector<Indices> clusters_of(const LocalCloud& cloud, const Indices& trunk,
   const std::vector<std::uint32_t> labels =
       choice.journal ? euclidean_clusters<2>(plane_of(cloud, trunk), link_m, choice.search)
                      : euclidean_clusters<3>(points_of(cloud, trunk), link_m, choice.search);
+  const std::size_t least = least_points(cloud, settings);
   const CellIndex groups(std::vector<std::uint64_t>(labels.begin(), labels.end()));
   std::vector<Indices> clusters;
   for (std::size_t g = 0; g < groups.cell_count(); ++g) {
     const auto members = groups.members(g);
-    if (members.size() < static_cast<std::size_t>(settings.cluster_threshold)) continue;
+    if (members.size() < least) continue;
     Indices& cluster = clusters.emplace_back();
     for (const std::uint32_t member : members) cluster.push_back(trunk[member]);
   }

@@ -23,6 +23,7 @@ struct StemSettings {
   double planar_radius_m = 0.05;
   double cluster_link_m = 0.2;
   std::int64_t cluster_threshold = 5;
+  double points_per_sweep = 1.0;
   double max_range_m = 40.0;
   double voxel_m = 0.0;
   bool height_band = false;
@@ -59,7 +60,8 @@ struct StemExtraction {
 ///
 /// journal: keep points with a neighbour within `d_threshold_m` of the spot `height_offset_m`
 /// above; project to the plane; keep those with another within `planar_radius_m`; Euclidean
-/// clusters; drop those of fewer than `cluster_threshold` points; one stem a cluster. preprint:
+/// clusters; drop those of fewer than `cluster_threshold` points, or of fewer than
+/// `points_per_sweep` for each sweep of the cloud; one stem a cluster. preprint:
 /// no projection and no planar test, clusters in 3D, mean of the horizontal projections.
 /// All distances are strict (d < threshold), as printed. Both searches give the same stems.
 /// Throws UserError on a point that is not finite or an unknown word in the settings. An empty

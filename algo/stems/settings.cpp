@@ -20,6 +20,9 @@ void describe_algorithm(SettingsVisitor& v, StemSettings& s) {
   v.field({"cluster_threshold", "", "least points of a stem",
            "choice: 5 for a local cloud, 100–500 for the map of a run"},
           s.cluster_threshold, {1, 1000000});
+  v.field({"points_per_sweep", "", "and least points for each sweep that the cloud holds",
+           "Li2020 section 2.4, observational stability: seen once a sweep; 0 leaves it out"},
+          s.points_per_sweep, {0.0, 1000.0});
 }
 
 }  // namespace
@@ -50,6 +53,7 @@ void describe(SettingsVisitor& v, StemSettings& s) {
 StemSettings map_stem_settings() {
   StemSettings settings;
   settings.cluster_threshold = 200;
+  settings.points_per_sweep = 0.0;  // most sweeps of a run never see a given stem
   settings.voxel_m = 0.025;
   return settings;
 }

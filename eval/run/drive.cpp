@@ -1,7 +1,5 @@
 #include "eval/run/drive.h"
 
-#include <algorithm>
-
 #include "algo/odometry/key_frames.h"
 #include "eval/run/truth_noise_odometry.h"
 
@@ -46,25 +44,16 @@ Drive make_drive(const std::string& name, const sim::Polyline& path,
   return drive;
 }
 
-void cast_key_frames(const sim::LidarSimulator& lidar, const Drive& drive, int threads,
-                     Progress& progress,
-                     const std::function<void(std::size_t, std::vector<sim::TruthfulSweep>)>& use) {
-  const std::size_t batch = 32 * static_cast<std::size_t>(threads);
+std::vector<sim::TruthfulSweep> cast_key_frame(const sim::LidarSimulator& lidar, const Drive& drive,
+                                               std::size_t key_frame) {
   const double period_s = lidar.model().sweep_period_s();
-  for (std::size_t first = 0; first < drive.key_frames.size(); first += batch) {
-    const std::size_t count = std::min(batch, drive.key_frames.size() - first);
-    std::vector<std::vector<sim::TruthfulSweep>> sweeps(count);
-#pragma omp parallel for schedule(dynamic) num_threads(threads)
-    for (std::size_t i = 0; i < count; ++i) {
-      for (const FrameSweep& sweep : drive.key_frames[first + i].sweeps) {
-        const double middle_s = period_s * (static_cast<double>(sweep.index) + 0.5);
-        const auto occluders = drive.vehicle->occluders_in_lidar(middle_s);
-        sweeps[i].push_back(lidar.cast(drive.vehicle->trajectory(), sweep.index, occluders));
-      }
-    }
-    for (std::size_t i = 0; i < count; ++i) use(first + i, std::move(sweeps[i]));
-    progress.advance(static_cast<std::int64_t>(count));
+  std::vector<sim::TruthfulSweep> sweeps;
+  for (const FrameSweep& sweep : drive.key_frames[key_frame].sweeps) {
+    const double middle_s = period_s * (static_cast<double>(sweep.index) + 0.5);
+    const auto occluders = drive.vehicle->occluders_in_lidar(middle_s);
+    sweeps.push_back(lidar.cast(drive.vehicle->trajectory(), sweep.index, occluders));
   }
+  return sweeps;
 }
 
 std::vector<PosedSweep> posed(const KeyFrame& key_frame, const std::vector<Sweep>& sweeps) {

@@ -1,13 +1,11 @@
 #pragma once
 
 #include <cstdint>
-#include <functional>
 #include <memory>
 #include <vector>
 
 #include "algo/odometry/aggregate.h"
 #include "eval/config/scenario.h"
-#include "eval/run/progress.h"
 #include "eval/run/trial_world.h"
 #include "sim/harvester/vehicle.h"
 #include "sim/world/recording.h"
@@ -42,10 +40,10 @@ struct Drive {
                                const sim::VehicleSettings& vehicle, const Scenario& scenario,
                                const TrialWorld& world);
 
-/// Casts the sweeps of every key frame, in parallel, and hands them over in order.
-void cast_key_frames(
-    const sim::LidarSimulator& lidar, const Drive& drive, int threads, Progress& progress,
-    const std::function<void(std::size_t key_frame, std::vector<sim::TruthfulSweep> sweeps)>& use);
+/// Casts the sweeps of a key frame, with their truth.
+[[nodiscard]] std::vector<sim::TruthfulSweep> cast_key_frame(const sim::LidarSimulator& lidar,
+                                                             const Drive& drive,
+                                                             std::size_t key_frame);
 
 /// The sweeps of a key frame with their poses; points into `sweeps`.
 [[nodiscard]] std::vector<PosedSweep> posed(const KeyFrame& key_frame,

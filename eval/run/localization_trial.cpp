@@ -8,29 +8,51 @@
 namespace honka::eval {
 namespace {
 
+/// What one key frame yields: its scans, their points in the map frame, and where they fell.
+struct MappedKeyFrame {
+  std::vector<Sweep> scans;
+  LocalCloud points_in_map;
+  ScanStatistics statistics;
+};
+
+MappedKeyFrame map_key_frame(const TrialWorld& world, const Drive& drive, std::size_t key_frame,
+                             const KeyFrameSettings& mapping) {
+  MappedKeyFrame mapped;
+  auto sweeps = cast_key_frame(*world.lidar, drive, key_frame);
+  mapped.statistics.add(sweeps);
+  mapped.scans = scans_of(std::move(sweeps));
+  mapped.points_in_map = aggregate(posed(drive.key_frames[key_frame], mapped.scans),
+                                   world.lidar->model(), mapping, Pose3::Identity());
+  return mapped;
+}
+
 struct MappedRun {
   LocalCloud cloud;
   std::vector<std::vector<Sweep>> scans;  ///< kept where asked for
   ScanStatistics statistics;
 };
 
-/// Casts a drive's key frames into a map cloud, and keeps the scans if `keep_scans`.
+/// Casts a drive's key frames into a map cloud, and keeps the scans if `keep_scans`. Rays are cast
+/// in parallel while the map grows in the order of the drive.
 MappedRun scan_run(const Scenario& scenario, const TrialWorld& world, const Drive& drive,
                    const std::string& what, int threads, bool keep_scans) {
-  Progress progress(what, "key frames", static_cast<std::int64_t>(drive.key_frames.size()));
+  const std::size_t count = drive.key_frames.size();
+  Progress progress(what, "key frames", static_cast<std::int64_t>(count));
   KeyFrameSettings mapping = scenario.frame;
   mapping.max_range_m = scenario.map.stems.max_range_m;
   CloudMap map(scenario.map.stems.voxel_m);
   MappedRun run;
-  cast_key_frames(*world.lidar, drive, threads, progress,
-                  [&](std::size_t k, std::vector<sim::TruthfulSweep> sweeps) {
-                    run.statistics.add(sweeps);
-                    std::vector<Sweep> scans = scans_of(std::move(sweeps));
-                    for (const PosedSweep& sweep : posed(drive.key_frames[k], scans)) {
-                      map.add(sweep, world.lidar->model(), mapping);
-                    }
-                    if (keep_scans) run.scans.push_back(std::move(scans));
-                  });
+#pragma omp parallel for ordered schedule(dynamic) num_threads(threads)
+  for (std::size_t k = 0; k < count; ++k) {
+    MappedKeyFrame mapped = map_key_frame(world, drive, k, mapping);
+#pragma omp ordered
+    {
+      run.statistics.merge(mapped.statistics);
+      map.add(mapped.points_in_map);
+      if (keep_scans) run.scans.push_back(std::move(mapped.scans));
+      progress.advance();
+    }
+  }
   run.cloud = map.cloud();
   return run;
 }

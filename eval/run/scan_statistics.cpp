@@ -1,5 +1,7 @@
 #include "eval/run/scan_statistics.h"
 
+#include <algorithm>
+#include <functional>
 #include <map>
 #include <numeric>
 
@@ -32,6 +34,18 @@ void ScanStatistics::add(std::span<const sim::TruthfulSweep> sweeps) {
       stem_hits[bin] += stem.hits;
     }
   }
+}
+
+void ScanStatistics::merge(const ScanStatistics& other) {
+  const auto add = [](auto& sums, const auto& counts) {
+    std::transform(sums.begin(), sums.end(), counts.begin(), sums.begin(), std::plus<>());
+  };
+  key_frames += other.key_frames;
+  shots += other.shots;
+  returns += other.returns;
+  add(returns_by_part, other.returns_by_part);
+  add(stems_hit, other.stems_hit);
+  add(stem_hits, other.stem_hits);
 }
 
 double ScanStatistics::hits_per_stem(std::size_t bin) const {

@@ -23,6 +23,8 @@ struct ScanStatistics {
 
   /// Adds the sweeps of one key frame.
   void add(std::span<const sim::TruthfulSweep> sweeps);
+  /// Adds the counts of other key frames.
+  void merge(const ScanStatistics& other);
   /// Mean hits a stem in a bin; 0 where no stem was hit.
   [[nodiscard]] double hits_per_stem(std::size_t bin) const;
   /// Mean over all ranges.

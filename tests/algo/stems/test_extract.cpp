@@ -110,6 +110,19 @@ TEST_CASE("thresholds are strict, as printed") {
   CHECK(extract_stems(cloud, s).stems.empty());
 }
 
+TEST_CASE("a stem is seen at least so often a sweep") {
+  LocalCloud cloud = cloud_from(Eigen::Vector3d::Zero());
+  for (int k = 0; k < 6; ++k) add_point(cloud, {5.0 + k / 64.0, 0.0, 0.0});
+  for (int k = 0; k < 6; ++k) add_point(cloud, {5.0 + k / 64.0, 0.0, 2.0});
+  cloud.origins_m.resize(6, Eigen::Vector3d::Zero());
+  StemSettings s;  // 6 lower points pass the 2 m test, from 6 sweeps
+  CHECK(extract_stems(cloud, s).stems.size() == 1);
+  cloud.origins_m.resize(7, Eigen::Vector3d::Zero());
+  CHECK(extract_stems(cloud, s).stems.empty());
+  s.points_per_sweep = 0.0;
+  CHECK(extract_stems(cloud, s).stems.size() == 1);
+}
+
 TEST_CASE("kd_tree and voxel_hash give the same stems and stages") {
   for (std::uint64_t seed = 1; seed <= 12; ++seed) {
     LocalCloud cloud = random_cloud(seed, 3000, seed % 2 == 0 ? 2.0 : 6.0);
