@@ -11,9 +11,9 @@ namespace honka {
 }  // namespace honka
 
 /// A condition the code relies on; stays in release builds.
-#define HONKA_CHECK(condition, message)                                \
-  do {                                                                 \
-    if (!(condition)) {                                                \
+#define HONKA_CHECK(condition, message)                                 \
+  do {                                                                  \
+    if (!(condition)) {                                                 \
       ::honka::check_failed(#condition, __FILE__, __LINE__, (message)); \
-    }                                                                  \
+    }                                                                   \
   } while (false)

@@ -1,11 +1,10 @@
 #include "algo/types/random.h"
 
-#include <Random123/philox.h>
-
 #include <cmath>
 
 #include "algo/types/angles.h"
 #include "algo/types/check.h"
+#include "algo/types/philox.h"
 
 namespace honka {
 
@@ -25,11 +24,8 @@ RandomStream::RandomStream(std::uint64_t seed, std::string_view name,
 }
 
 void RandomStream::refill() {
-  const r123::Philox4x32::ctr_type counter{{static_cast<std::uint32_t>(counter_),
-                                            static_cast<std::uint32_t>(counter_ >> 32U), 0, 0}};
-  const r123::Philox4x32::key_type key{{key_[0], key_[1]}};
-  const auto block = r123::Philox4x32{}(counter, key);
-  block_ = {block[0], block[1], block[2], block[3]};
+  block_ = philox_block(key_, {static_cast<std::uint32_t>(counter_),
+                               static_cast<std::uint32_t>(counter_ >> 32U), 0, 0});
   ++counter_;
   used_ = 0;
 }

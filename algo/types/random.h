@@ -46,7 +46,7 @@ class RandomStream {
 [[nodiscard]] std::uint64_t derive_seed(std::uint64_t seed, std::string_view name,
                                         std::initializer_list<std::uint64_t> ids = {});
 
-/// 64-bit hash of a name; constant over platforms (FNV-1a, then mixed).
+/// 64-bit hash of a name; constant over platforms (FNV-1a).
 [[nodiscard]] constexpr std::uint64_t hash_name(std::string_view name) {
   std::uint64_t hash = 0xcbf29ce484222325ULL;
   for (const char c : name) {

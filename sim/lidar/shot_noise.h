@@ -1,10 +1,10 @@
 #pragma once
 
-#include <Random123/philox.h>
-
 #include <array>
 #include <cmath>
 #include <cstdint>
+
+#include "algo/types/philox.h"
 
 namespace honka::sim {
 
@@ -16,11 +16,9 @@ struct ShotNoise {
 
 [[nodiscard]] inline ShotNoise shot_noise(std::uint64_t key, std::uint64_t sweep,
                                           std::uint32_t firing, std::uint32_t laser) {
-  const r123::Philox4x32::ctr_type counter{
-      {static_cast<std::uint32_t>(sweep), static_cast<std::uint32_t>(sweep >> 32U), firing, laser}};
-  const r123::Philox4x32::key_type words{
-      {static_cast<std::uint32_t>(key), static_cast<std::uint32_t>(key >> 32U)}};
-  const auto block = r123::Philox4x32{}(counter, words);
+  const auto block = philox_block(
+      {static_cast<std::uint32_t>(key), static_cast<std::uint32_t>(key >> 32U)},
+      {static_cast<std::uint32_t>(sweep), static_cast<std::uint32_t>(sweep >> 32U), firing, laser});
   return {block[0], {block[1], block[2]}};
 }
 

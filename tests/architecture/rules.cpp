@@ -64,7 +64,7 @@ const std::map<std::string, std::string>& package_doors() {
       {"CGAL/", "algo/delaunay/"},         {"nanoflann", "algo/geometry/kdtree"},
       {"embree3/", "sim/lidar/"},          {"hdf5", "eval/io/hdf5"},
       {"toml++/", "eval/config/toml_"},    {"CLI/", "eval/cli/"},
-      {"Random123/", "algo/types/random"}, {"openssl/", "eval/io/"},
+      {"Random123/", "algo/types/philox"}, {"openssl/", "eval/io/"},
   };
   return kDoors;
 }
