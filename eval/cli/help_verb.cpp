@@ -25,6 +25,7 @@ Verbs
   simulate SCENARIO    record scans and truth (HDF5)
   locate MAP LOCAL…    the pose of each local stem list in the map
   score RECORDING POSES [STEMS]   judge poses and stems made elsewhere
+  evaluate TRUTH ESTIMATE         APE and RPE of a trajectory (TUM, KITTI)
   report DIR           write report.html of a results folder anew
   scenario check|show|diff FILE   read a scenario, list its keys, compare two
   help TOPIC           scenarios, experiments, formats, keys, or a verb
@@ -50,6 +51,7 @@ The same scenario and seed give the same digits, whatever the threads.
 constexpr const char* kFormats =
     R"(Stem list (CSV)   '#' comments, a header, x_m,y_m and any of z_m,dbh_m,height_m; metres
 Poses (TUM)       t x y z qx qy qz qw, T_world_lidar; seconds, metres
+Poses (KITTI)     12 numbers a row, [R|t] by rows; honka evaluate alone
 recording.h5      /sensor /sweeps /returns (u16 x 2 mm) and, apart, /truth
 results folder    summary.json (tables, metrics, digest), trials.h5 (one row a trial, one a
                   localization), figures/ (NAME.gp redraws NAME), report.html
@@ -65,6 +67,22 @@ MAP.csv holds the stems of a map, each LOCAL.csv those seen from one place, with
 origin and x ahead. The answer is T_map_local: x_map = R(yaw) x_local + t. Refused lists say why.
 --json prints one object a local file: local, method, verdict, accepted, x_m, y_m, yaw_rad, stems,
 matches, agreeing, inliers, margin, time_ms; map_ms in the first.
+)";
+
+constexpr const char* kEvaluate =
+    R"(honka evaluate TRUTH ESTIMATE [--format tum|kitti] [--align none|origin|yaw|se2|se3|sim3]
+               [--max-time-difference 0.02] [--delta 1s|10m|1f] [--all-pairs] [--json]
+
+TUM rows pair by time, KITTI rows by number. Rows t x y z alone give no rotation errors.
+--align   none; origin: first poses equal; yaw: turn about z and translation; se2: turn, x and
+          y; se3: rotation and translation; sim3: with scale. All but origin: least squares.
+APE       distance and angle between poses that belong together, once aligned.
+RPE       the same between motions over --delta. Seconds: from every pose to the estimated one
+          nearest in time, but the last. Metres of the estimate's path, frames: end to end, or
+          from every pose with --all-pairs. Without rotations: the difference of both
+          displacements' lengths.
+--json    align, associated, reference_poses, estimate_poses, ape, rpe {delta, unit, pairs}; in
+          both translation_m, rotation_deg {rmse, mean, median, std, min, max, sse}; std over n.
 )";
 
 void print_experiments() {
@@ -87,9 +105,10 @@ void print_keys() {
 
 int help_verb(const std::string& topic) {
   static const std::map<std::string, const char*> kTopics = {
-      {"", kOverview},      {"scenarios", kScenarios}, {"scenario", kScenarios},
-      {"run", kScenarios},  {"formats", kFormats},     {"simulate", kFormats},
-      {"report", kFormats}, {"score", kFormats},       {"locate", kLocate},
+      {"", kOverview},         {"scenarios", kScenarios}, {"scenario", kScenarios},
+      {"run", kScenarios},     {"formats", kFormats},     {"simulate", kFormats},
+      {"report", kFormats},    {"score", kFormats},       {"locate", kLocate},
+      {"evaluate", kEvaluate},
   };
   if (topic == "experiments") {
     print_experiments();

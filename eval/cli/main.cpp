@@ -66,6 +66,21 @@ void add_score(CLI::App& app, ScoreArguments& arguments, Action& action) {
   verb.callback([&] { action = [&] { return score_verb(arguments); }; });
 }
 
+void add_evaluate(CLI::App& app, EvaluateArguments& arguments, Action& action) {
+  auto& verb = *app.add_subcommand("evaluate", "errors of a trajectory: APE and RPE");
+  verb.add_option("TRUTH", arguments.truth, "true trajectory")->required();
+  verb.add_option("ESTIMATE", arguments.estimate, "estimated trajectory")->required();
+  verb.add_option("--format", arguments.format, "tum or kitti")
+      ->check(CLI::IsMember({"tum", "kitti"}));
+  verb.add_option("--align", arguments.align, "none, origin, yaw, se2, se3 or sim3");
+  verb.add_option("--max-time-difference", arguments.max_time_difference_s,
+                  "seconds between poses that belong together");
+  verb.add_option("--delta", arguments.delta, "of a motion: 1s, 10m, 1f (frames)");
+  verb.add_flag("--all-pairs", arguments.all_pairs, "metres, frames: motions from every pose");
+  verb.add_flag("--json", arguments.json, "one JSON object");
+  verb.callback([&] { action = [&] { return evaluate_verb(arguments); }; });
+}
+
 struct ScenarioVerbArguments {
   ScenarioArguments check, show, diff;
   std::filesystem::path other;
@@ -95,6 +110,7 @@ int parse_and_act(int argc, char** argv) {
   SimulateArguments simulate;
   LocateArguments locate;
   ScoreArguments score;
+  EvaluateArguments evaluate;
   ScenarioVerbArguments scenario;
   std::filesystem::path report_folder;
   std::string topic;
@@ -103,6 +119,7 @@ int parse_and_act(int argc, char** argv) {
   add_simulate(app, simulate, action);
   add_locate(app, locate, action);
   add_score(app, score, action);
+  add_evaluate(app, evaluate, action);
   add_scenario(app, scenario, action);
   auto& report = *app.add_subcommand("report", "write report.html of a results folder anew");
   report.add_option("DIR", report_folder, "folder of the results")->required();

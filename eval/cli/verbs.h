@@ -41,11 +41,22 @@ struct ScoreArguments {
   std::filesystem::path recording, poses, stems;
 };
 
+struct EvaluateArguments {
+  std::filesystem::path truth, estimate;
+  std::string format = "tum";
+  std::string align = "none";
+  double max_time_difference_s = 0.02;
+  std::optional<std::string> delta;  ///< nothing: 1s, or 1f where the format has no times
+  bool all_pairs = false;
+  bool json = false;
+};
+
 /// Each verb returns the exit code of the program; the user's mistakes come as UserError.
 int run_verb(const RunArguments& arguments);
 int simulate_verb(const SimulateArguments& arguments);
 int locate_verb(const LocateArguments& arguments);
 int score_verb(const ScoreArguments& arguments);
+int evaluate_verb(const EvaluateArguments& arguments);
 int report_verb(const std::filesystem::path& folder);
 int scenario_check_verb(const ScenarioArguments& arguments);
 int scenario_show_verb(const ScenarioArguments& arguments);

@@ -18,6 +18,16 @@ struct TimedPose {
 /// none, times that do not increase, or a file without poses.
 [[nodiscard]] std::vector<TimedPose> read_tum(const std::filesystem::path& path);
 
+/// A trajectory as a file holds it. Without rotations those of `poses` are the identity and mean
+/// nothing.
+struct TimedPoses {
+  std::vector<TimedPose> poses;
+  bool has_rotations = true;
+};
+
+/// As read_tum, but all rows may also be positions alone, `t x y z`.
+[[nodiscard]] TimedPoses read_tum_trajectory(const std::filesystem::path& path);
+
 /// Writes TUM rows at full precision, with a comment line that names the columns. Written safely.
 void write_tum(const std::filesystem::path& path, const std::vector<TimedPose>& poses);
 

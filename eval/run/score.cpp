@@ -1,6 +1,5 @@
 #include "eval/run/score.h"
 
-#include <Eigen/Geometry>
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
@@ -9,8 +8,9 @@
 #include "eval/io/csv.h"
 #include "eval/io/recording.h"
 #include "eval/io/tum.h"
-#include "eval/metrics/statistics.h"
 #include "eval/metrics/stem_scores.h"
+#include "eval/metrics/trajectory_alignment.h"
+#include "eval/run/trajectory_json.h"
 
 namespace honka::eval {
 namespace {
@@ -19,10 +19,6 @@ using Json = nlohmann::ordered_json;
 
 /// A found stem is true when a tree stands this near.
 constexpr double kStemGate_m = 0.5;
-
-struct PosePair {
-  Pose3 truth, estimate;
-};
 
 std::vector<TimedPose> truth_of(const RecordingReader& recording) {
   std::vector<TimedPose> truth;
@@ -37,9 +33,8 @@ std::vector<TimedPose> truth_of(const RecordingReader& recording) {
   return truth;
 }
 
-std::vector<PosePair> associate(const std::vector<TimedPose>& truth,
-                                const std::vector<TimedPose>& estimates) {
-  std::vector<PosePair> pairs;
+PosePairs associate(const std::vector<TimedPose>& truth, const std::vector<TimedPose>& estimates) {
+  PosePairs pairs;
   for (const TimedPose& estimate : estimates) {
     const auto after =
         std::lower_bound(truth.begin(), truth.end(), estimate.time_s,
@@ -48,48 +43,22 @@ std::vector<PosePair> associate(const std::vector<TimedPose>& truth,
       continue;
     }
     if (after == truth.begin()) {
-      pairs.push_back({after->pose, estimate.pose});
+      pairs.poses.push_back({estimate.time_s, after->pose, estimate.pose});
       continue;
     }
     const auto before = after - 1;
     const double share = (estimate.time_s - before->time_s) / (after->time_s - before->time_s);
-    pairs.push_back({interpolate(before->pose, after->pose, share), estimate.pose});
+    pairs.poses.push_back(
+        {estimate.time_s, interpolate(before->pose, after->pose, share), estimate.pose});
   }
   return pairs;
 }
 
-Json statistics(const std::vector<double>& values) {
-  double square_sum = 0.0;
-  for (const double v : values) square_sum += v * v;
-  const auto number = [](const std::optional<double>& x) { return x ? Json(*x) : Json(nullptr); };
-  return {{"rmse", number(rmse(values))},
-          {"mean", number(mean(values))},
-          {"median", number(median(values))},
-          {"std", number(standard_deviation(values))},
-          {"min", number(minimum(values))},
-          {"max", number(maximum(values))},
-          {"sse", square_sum}};
-}
-
-Json ape(const std::vector<PosePair>& pairs, const Pose3& T_truth_estimate) {
-  std::vector<double> translation_m, rotation_deg;
-  for (const PosePair& pair : pairs) {
-    const Pose3 error = pair.truth.inverse() * (T_truth_estimate * pair.estimate);
-    translation_m.push_back(error.translation().norm());
-    rotation_deg.push_back(rad_to_deg(Eigen::AngleAxisd(error.linear()).angle()));
-  }
-  return {{"translation_m", statistics(translation_m)}, {"rotation_deg", statistics(rotation_deg)}};
-}
-
-/// The rigid transform that brings the estimated positions nearest to the true ones (Umeyama 1991).
-Pose3 align(const std::vector<PosePair>& pairs) {
-  const auto n = static_cast<Eigen::Index>(pairs.size());
-  Eigen::Matrix3Xd truth(3, n), estimate(3, n);
-  for (Eigen::Index i = 0; i < n; ++i) {
-    truth.col(i) = pairs[static_cast<std::size_t>(i)].truth.translation();
-    estimate.col(i) = pairs[static_cast<std::size_t>(i)].estimate.translation();
-  }
-  return Pose3(Eigen::umeyama(estimate, truth, false));
+/// After rigid alignment; null where the positions do not define one.
+Json aligned_ape(const PosePairs& pairs) {
+  const AlignmentResult alignment = align(pairs, Alignment::kSe3);
+  if (alignment.status != AlignmentStatus::kAligned) return nullptr;
+  return errors_json(absolute_errors(moved(pairs, alignment.T_truth_estimate)));
 }
 
 Json stem_scores(const RecordingReader& recording, const std::filesystem::path& file) {
@@ -121,17 +90,17 @@ std::string score(const std::filesystem::path& recording_file, const std::filesy
                   const std::filesystem::path& stems) {
   const RecordingReader recording(recording_file);
   const std::vector<TimedPose> estimates = read_tum(poses);
-  const std::vector<PosePair> pairs = associate(truth_of(recording), estimates);
-  if (pairs.empty()) {
+  const PosePairs pairs = associate(truth_of(recording), estimates);
+  if (pairs.poses.empty()) {
     throw UserError(poses.string() +
                     ": none of its times lies within the recording; times are "
                     "seconds since the start of the drive");
   }
   Json json;
   json["estimate_poses"] = estimates.size();
-  json["associated"] = pairs.size();
-  json["ape"] = ape(pairs, Pose3::Identity());
-  json["ape_se3"] = pairs.size() < 3 ? Json(nullptr) : ape(pairs, align(pairs));
+  json["associated"] = pairs.poses.size();
+  json["ape"] = errors_json(absolute_errors(pairs));
+  json["ape_se3"] = aligned_ape(pairs);
   if (!stems.empty()) json["stems"] = stem_scores(recording, stems);
   return json.dump(2) + "\n";
 }
