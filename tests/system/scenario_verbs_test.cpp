@@ -131,7 +131,8 @@ TEST_CASE("help knows the verbs, the experiments, the formats and every key") {
     CHECK(outcome.err.empty());
     return outcome.out;
   };
-  for (const char* verb : {"run", "simulate", "locate", "score", "report", "scenario", "help"}) {
+  for (const char* verb :
+       {"run", "simulate", "locate", "score", "evaluate", "report", "scenario", "help"}) {
     CHECK_THAT(help({}), Catch::Contains(std::string("\n  ") + verb));
   }
   CHECK(run_honka({}, folder.path()).out == help({}));

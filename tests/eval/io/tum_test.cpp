@@ -50,6 +50,28 @@ TEST_CASE("TUM: tabs, CRLF, comments; bad input with line and column") {
   }
 }
 
+TEST_CASE("TUM: positions alone where they suffice, never a mixture") {
+  const TemporaryFolder folder;
+  const std::string path = (folder / "a.tum").string();
+  write_raw(path, "1 2 3 4\n2 3 4 5\n");
+  const TimedPoses bare = read_tum_trajectory(path);
+  CHECK_FALSE(bare.has_rotations);
+  REQUIRE(bare.poses.size() == 2);
+  CHECK(bare.poses[1].time_s == 2.0);
+  CHECK(bare.poses[1].pose.translation() == Eigen::Vector3d(3, 4, 5));
+  CHECK(user_error_of([&] { (void)read_tum(path); }) ==
+        path + ":1:1: 4 numbers where a TUM row has 8: t x y z qx qy qz qw");
+  for (const std::string& content :
+       {std::string("1 2 3 4\n2 2 3 4 0 0 0 1\n"), std::string("1 2 3 4 0 0 0 1\n2 2 3 4\n"),
+        std::string("1 2 3 4\n2 3 4\n")}) {
+    write_raw(path, content);
+    CHECK_THAT(user_error_of([&] { (void)read_tum_trajectory(path); }),
+               Catch::StartsWith(path + ":2:1: ") && Catch::Contains("or all have 4: t x y z"));
+  }
+  write_raw(path, "1 2 3 4 0 0 0 1\n");
+  CHECK(read_tum_trajectory(path).has_rotations);
+}
+
 TEST_CASE("TUM: the published trajectory can be read") {
   const auto data =
       std::filesystem::path(HONKA_SOURCE_DIR).parent_path() / "shared/data/trajectories";
