@@ -15,25 +15,24 @@ constexpr std::size_t kFirstSlots = 4096;
 }  // namespace
 
 VoxelGrid::VoxelGrid(double side_m, Keep keep)
-    : side_m_(side_m), keep_(keep), slots_(kFirstSlots, kEmpty) {
+    : side_m_(side_m), keep_(keep), slots_(kFirstSlots, {{}, kEmpty}) {
   HONKA_CHECK(side_m > 0.0, "a voxel needs a side");
 }
 
 bool VoxelGrid::insert(const Eigen::Vector3d& point_m) {
   const Voxel voxel = voxel_of(point_m);
-  std::uint32_t& entry = slots_[slot_of(voxel)];
-  if (entry != kEmpty) {
+  Slot& slot = slot_of(voxel);
+  if (slot.point != kEmpty) {
     if (keep_ == Keep::kMean) {
-      points_m_[entry] += point_m;
-      ++counts_[entry];
+      points_m_[slot.point] += point_m;
+      ++counts_[slot.point];
     }
     return false;
   }
-  entry = static_cast<std::uint32_t>(voxels_.size());
-  voxels_.push_back(voxel);
+  slot = {voxel, static_cast<std::uint32_t>(points_m_.size())};
   points_m_.push_back(point_m);
   if (keep_ == Keep::kMean) counts_.push_back(1);
-  if (2 * voxels_.size() > slots_.size()) grow();
+  if (3 * points_m_.size() > 2 * slots_.size()) grow();
   return true;
 }
 
@@ -53,19 +52,26 @@ VoxelGrid::Voxel VoxelGrid::voxel_of(const Eigen::Vector3d& point_m) const {
   return voxel;
 }
 
-std::size_t VoxelGrid::slot_of(const Voxel& voxel) const {
+VoxelGrid::Slot& VoxelGrid::slot_of(const Voxel& voxel) {
   const std::size_t mask = slots_.size() - 1;
   const std::uint64_t plane =
       (static_cast<std::uint64_t>(static_cast<std::uint32_t>(voxel[0])) << 32U) |
       static_cast<std::uint32_t>(voxel[1]);
   std::size_t slot = mix64(plane ^ mix64(static_cast<std::uint32_t>(voxel[2]))) & mask;
-  while (slots_[slot] != kEmpty && voxels_[slots_[slot]] != voxel) slot = (slot + 1) & mask;
-  return slot;
+  const auto taken_by_another = [&](const Slot& s) {
+    return s.point != kEmpty &&
+           (s.voxel[0] != voxel[0] || s.voxel[1] != voxel[1] || s.voxel[2] != voxel[2]);
+  };
+  while (taken_by_another(slots_[slot])) slot = (slot + 1) & mask;
+  return slots_[slot];
 }
 
 void VoxelGrid::grow() {
-  slots_.assign(2 * slots_.size(), kEmpty);
-  for (std::uint32_t v = 0; v < voxels_.size(); ++v) slots_[slot_of(voxels_[v])] = v;
+  std::vector<Slot> smaller(2 * slots_.size(), {{}, kEmpty});
+  smaller.swap(slots_);
+  for (const Slot& slot : smaller) {
+    if (slot.point != kEmpty) slot_of(slot.voxel) = slot;
+  }
 }
 
 std::vector<Eigen::Vector3d> thin(const std::vector<Eigen::Vector3d>& points_m, double side_m,

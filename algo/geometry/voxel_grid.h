@@ -10,7 +10,7 @@ namespace honka {
 /// Thins a stream of points to one a voxel; deterministic in the order of insertion.
 ///
 /// Voxels are [i·side, (i+1)·side) of the absolute lattice, so that thinning a thinned cloud again
-/// changes nothing. Memory follows the voxels in use (about 50 bytes each), not the points seen.
+/// changes nothing. Memory follows the voxels in use (about 60 bytes each), not the points seen.
 class VoxelGrid {
  public:
   enum class Keep : std::uint8_t { kFirst, kMean };
@@ -25,16 +25,20 @@ class VoxelGrid {
 
  private:
   using Voxel = std::array<std::int32_t, 3>;
+  /// The key beside the index: a look-up touches one place in memory, not two.
+  struct Slot {
+    Voxel voxel;
+    std::uint32_t point;
+  };
   [[nodiscard]] Voxel voxel_of(const Eigen::Vector3d& point_m) const;
-  [[nodiscard]] std::size_t slot_of(const Voxel& voxel) const;
+  [[nodiscard]] Slot& slot_of(const Voxel& voxel);
   void grow();
 
   double side_m_;
   Keep keep_;
-  std::vector<Voxel> voxels_;
   std::vector<Eigen::Vector3d> points_m_;  ///< first points, or sums for means
   std::vector<std::uint32_t> counts_;      ///< points of each voxel; kept for means only
-  std::vector<std::uint32_t> slots_;
+  std::vector<Slot> slots_;                ///< open addressing, at most two thirds full
 };
 
 /// The thinned cloud of points held in memory.

@@ -156,9 +156,20 @@ std::vector<SeenPoint> seen_points(const LocalCloud& cloud, const Indices& clust
   return points;
 }
 
+/// Evenly chosen points, enough for a circle: its error falls no further with thousands of them,
+/// as taper and lean are then all that is left.
+std::vector<SeenPoint> for_circle(const std::vector<SeenPoint>& points) {
+  constexpr std::size_t kEnough = 400;
+  const std::size_t step = (points.size() + kEnough - 1) / kEnough;
+  if (step <= 1) return points;
+  std::vector<SeenPoint> chosen;
+  for (std::size_t i = 0; i < points.size(); i += step) chosen.push_back(points[i]);
+  return chosen;
+}
+
 ObservedStem stem_of(const LocalCloud& cloud, const Indices& cluster, Centre centre) {
   const std::vector<SeenPoint> points = seen_points(cloud, cluster);
-  const std::optional<Circle> circle = circle_fit(points);
+  const std::optional<Circle> circle = circle_fit(for_circle(points));
   ObservedStem stem;
   stem.position_m = centre == Centre::kMean                  ? mean_of(points)
                     : centre == Centre::kCircleFit && circle ? circle->centre_m

@@ -57,20 +57,34 @@ MappedRun scan_run(const Scenario& scenario, const TrialWorld& world, const Driv
   return run;
 }
 
-/// Every trunk map that a variant asks for.
+/// A trunk map that some variant asks for, before it is made.
+struct MapOrder {
+  std::string source;
+  const LocalCloud* cloud = nullptr;
+  StemSettings settings;
+};
+
+/// Every trunk map that a variant asks for, the default's first.
 std::vector<TrunkMap> make_maps(const Scenario& scenario, const LocalCloud& prior_cloud,
-                                const LocalCloud& work_cloud) {
+                                const LocalCloud& work_cloud, std::int64_t trial, int threads) {
   StemSettings settings = scenario.map.stems;
   settings.voxel_m = 0.0;  // the clouds are thinned already
   const bool prior = scenario.map.source == "prior_run";
-  std::vector<TrunkMap> maps;
-  if (prior) maps.push_back(make_trunk_map("prior_run", prior_cloud, settings));
-  if (!prior || scenario.variants.same_run) {
-    maps.push_back(make_trunk_map("same_run", work_cloud, settings));
-  }
+  const LocalCloud& cloud = prior ? prior_cloud : work_cloud;
+  std::vector<MapOrder> orders = {{scenario.map.source, &cloud, settings}};
   if (scenario.variants.repaired) {
-    maps.push_back(make_trunk_map(scenario.map.source, prior ? prior_cloud : work_cloud,
-                                  repaired(settings, "circle_fit")));
+    orders.push_back({scenario.map.source, &cloud, repaired(settings, "circle_fit")});
+  }
+  if (scenario.variants.same_run && prior) orders.push_back({"same_run", &work_cloud, settings});
+
+  Progress progress(fmt::format("stand {}: trunk maps", trial), "maps",
+                    static_cast<std::int64_t>(orders.size()));
+  std::vector<TrunkMap> maps(orders.size());
+#pragma omp parallel for schedule(dynamic) num_threads(threads)
+  for (std::size_t i = 0; i < orders.size(); ++i) {
+    maps[i] = make_trunk_map(orders[i].source, *orders[i].cloud, orders[i].settings);
+#pragma omp critical
+    progress.advance();
   }
   return maps;
 }
@@ -113,7 +127,7 @@ LocalizationTrial run_localization_trial(const Scenario& scenario, std::int64_t 
                             fmt::format("stand {}: localized run", trial), threads, true);
   exhibit->scans = {&exhibit->work, &world.lidar->model(), std::move(work.scans)};
   // Maps and matchers
-  exhibit->maps = make_maps(scenario, prior.cloud, work.cloud);
+  exhibit->maps = make_maps(scenario, prior.cloud, work.cloud, trial, threads);
   exhibit->variants = make_variants(scenario, exhibit->maps);
   exhibit->map_cloud = std::move(prior_run ? prior.cloud : work.cloud);
   // Localization

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <set>
 
 #include "algo/geometry/kdtree.h"
 
@@ -41,17 +40,18 @@ StarSurvival star_survival(const DelaunayGraph& local, const DelaunayGraph& map,
                            const Pose2& T_map_local, double gate_m) {
   StarSurvival result;
   if (local.triangles.empty() || map.triangles.empty()) return result;
-  std::set<Corners> map_triangles;
+  std::vector<Corners> map_triangles;
   for (const DelaunayTriangle& triangle : map.triangles) {
-    map_triangles.insert(sorted(triangle.vertices));
+    map_triangles.push_back(sorted(triangle.vertices));
   }
+  std::sort(map_triangles.begin(), map_triangles.end());
   const std::vector<std::int32_t> followed = follow(local, map, T_map_local, gate_m);
   const auto survives = [&](const DelaunayTriangle& triangle) {
     Corners corners{};
     for (std::size_t k = 0; k < 3; ++k) {
       corners[k] = followed[static_cast<std::size_t>(triangle.vertices[k])];
     }
-    return map_triangles.contains(sorted(corners));
+    return std::binary_search(map_triangles.begin(), map_triangles.end(), sorted(corners));
   };
   for (const DelaunayTriangle& triangle : local.triangles) {
     if (touches_hull(local, triangle)) continue;
