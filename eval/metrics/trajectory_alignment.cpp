@@ -46,7 +46,7 @@ Moments moments(const std::vector<PosePair>& poses, int dimensions) {
   }
   m.truth_spread_m = std::sqrt(truth_m2);
   m.estimate_spread_m = std::sqrt(estimate_m2);
-  m.least_spread_m = 1e-14 * largest_m;
+  m.least_spread_m = 1e-13 * largest_m;
   return m;
 }
 

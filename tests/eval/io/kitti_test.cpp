@@ -49,6 +49,7 @@ TEST_CASE("KITTI: bad input with line and column") {
       {good + "2 0 0 0 0 2 0 0 0 0 2 0\n", ":2:1" + no_rotation},
       {good + "1 0 0 0 0 1 0 0 0 0 -1 0\n", ":2:1" + no_rotation},
       {"1e300 0 0 0 0 1e300 0 0 0 0 1e300 0\n", ":1:1" + no_rotation},
+      {"1e300 1e300 0 0 1e300 -1e300 0 0 0 0 1 0\n", ":1:1" + no_rotation},
       {"0 0 0 0 0 0 0 0 0 0 0 0\n", ":1:1" + no_rotation},
   };
   for (const auto& [content, error] : cases) {

@@ -131,6 +131,19 @@ TEST_CASE("no small step away from a least-squares alignment is better") {
   }
 }
 
+TEST_CASE("the scale on a mirrored path is the best one that no mirror needs") {
+  PosePairs pairs = noisy(80, 0.3, 0.0);
+  for (PosePair& pair : pairs.poses) pair.estimate.translation().z() *= -1.5;
+  const PosePairs best = aligned(pairs, Alignment::kSim3);
+  Eigen::Vector3d centre_m = Eigen::Vector3d::Zero();
+  for (const PosePair& pair : best.poses) centre_m += pair.truth.translation() / 80.0;
+  for (const double scale : {0.999, 1.001}) {
+    Similarity3 step{scale, Pose3::Identity()};
+    step.rigid.translation() = (1.0 - scale) * centre_m;
+    CHECK(rmse_m(moved(best, step)) > rmse_m(best));
+  }
+}
+
 TEST_CASE("more freedom fits no worse, and alignment forgets what moved the estimate") {
   const PosePairs pairs = noisy(80, 0.3, 0.02);
   const double none = rmse_m(pairs), se2 = rmse_m(aligned(pairs, Alignment::kSe2)),
@@ -155,6 +168,12 @@ TEST_CASE("a straight path leaves the turn about it open; in plan it has a headi
     CHECK(rmse_m(aligned(pairs, Alignment::kYaw)) < 1e-6);
     CHECK(rmse_m(aligned(pairs, Alignment::kSe2)) < 1e-6);
   }
+  // A centimetre of bend over 19 m is width enough; a climb of 1e5 in 1 still has a heading.
+  PosePairs bent = straight({1, 0, 0});
+  bent.poses[10].truth.translation().y() += 0.01;
+  bent.poses[10].estimate = bent.poses[10].truth;
+  CHECK(rmse_m(aligned(bent, Alignment::kSe3)) < 1e-6);
+  CHECK(rmse_m(aligned(straight({1e-5, 0, 1}), Alignment::kYaw)) < 1e-6);
   const PosePairs mast = straight({0, 0, 1});
   CHECK(align(mast, Alignment::kYaw).status == AlignmentStatus::kNoExtent);
   CHECK(align(mast, Alignment::kSe2).status == AlignmentStatus::kNoExtent);
@@ -167,12 +186,17 @@ TEST_CASE("a straight path leaves the turn about it open; in plan it has a headi
 
 TEST_CASE("too little to align on has a status in words, and no transform") {
   const PosePairs still = straight({0, 0, 0});
+  PosePairs long_still;
+  const Pose3 place = pose_from_rpy({674321.1234, 7123456.789, 101.3}, 0, 0, 0);
+  for (int i = 0; i < 1000; ++i) long_still.poses.push_back({1.0 * i, place, place});
   PosePairs one = winding(1), two = winding(2), bare = winding(20);
   bare.truth_has_rotations = false;
   const std::vector<std::pair<AlignmentResult, AlignmentStatus>> cases = {
       {align(still, Alignment::kYaw), AlignmentStatus::kNoExtent},
       {align(still, Alignment::kSe3), AlignmentStatus::kNoExtent},
       {align(still, Alignment::kSim3), AlignmentStatus::kNoExtent},
+      {align(long_still, Alignment::kYaw), AlignmentStatus::kNoExtent},
+      {align(long_still, Alignment::kSe3), AlignmentStatus::kNoExtent},
       {align(one, Alignment::kSe3), AlignmentStatus::kNoExtent},
       {align(two, Alignment::kSe3), AlignmentStatus::kCollinear},
       {align({}, Alignment::kSe3), AlignmentStatus::kNoPairs},

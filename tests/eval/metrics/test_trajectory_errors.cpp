@@ -89,6 +89,9 @@ TEST_CASE("motions over metres follow the estimate's path") {
   CHECK(motions(pairs, over(2.15, DeltaUnit::kMetres, true)).size() == 5);
   CHECK(motions(pairs, over(1.5, DeltaUnit::kMetres, true)).empty());
   CHECK(motions(pairs, over(10, DeltaUnit::kMetres)).empty());
+  // Of those equally near the first.
+  CHECK(motions(along_x({0, 1, 2, 3}, {0, 0.95, 0.95, 1.5}), over(1, DeltaUnit::kMetres, true)) ==
+        Motions{{0, 1}});
   // There and back is path, although it leads nowhere; standing still is none.
   pairs = along_x({0, 1, 2, 3, 4, 5}, {0, 1, 1, 0, 0, 1});
   CHECK(motions(pairs, over(1, DeltaUnit::kMetres)) == Motions{{1, 3}, {3, 5}});
@@ -96,10 +99,14 @@ TEST_CASE("motions over metres follow the estimate's path") {
         Motions{{0, 1}, {1, 3}, {2, 3}, {3, 5}, {4, 5}});
 }
 
-TEST_CASE("ten steps of a decimetre are a metre") {
-  std::vector<double> x_m, times_s;
-  for (int i = 0; i <= 100; ++i) times_s.push_back(x_m.emplace_back(0.1 * i));
-  CHECK(motions(along_x(times_s, x_m), over(1, DeltaUnit::kMetres)).size() == 9);
+TEST_CASE("ten steps of a decimetre are a metre, wherever they begin") {
+  Motions expected;
+  for (std::size_t i = 10; i < 100; i += 10) expected.push_back({i, i + 10});
+  for (const double start_m : {0.0, 3.3, 1000.7, 674321.1}) {
+    std::vector<double> x_m, times_s;
+    for (int i = 0; i <= 100; ++i) times_s.push_back(x_m.emplace_back(start_m + 0.1 * i));
+    CHECK(motions(along_x(times_s, x_m), over(1, DeltaUnit::kMetres)) == expected);
+  }
 }
 
 TEST_CASE("motions over frames") {
@@ -126,6 +133,10 @@ TEST_CASE("a steady drift is the relative error of every motion") {
   const auto bare = relative_errors(pairs, motions(pairs, over(5, DeltaUnit::kFrames, true)));
   check_same(bare.translation_m, std::vector<double>(45, 0.1), 1e-12);
   CHECK(bare.rotation_deg.empty());
+  for (PosePair& pair : pairs.poses) std::swap(pair.truth, pair.estimate);
+  check_same(
+      relative_errors(pairs, motions(pairs, over(5, DeltaUnit::kFrames, true))).translation_m,
+      std::vector<double>(45, 0.1), 1e-12);
 }
 
 TEST_CASE("relative errors do not know where either trajectory lies") {
