@@ -87,6 +87,7 @@ StarPair vertices_of(const StarMatch& match, const std::vector<Eigen::Vector2d>&
 
 std::vector<ReportFigure> matching(const std::filesystem::path& folder, const LocalCloud& cloud,
                                    const Variant& variant, const std::string& window) {
+  if (!variant.matcher) return {};
   std::vector<Eigen::Vector2d> local;
   for (const ObservedStem& stem : extract_stems(cloud, variant.stems).stems) {
     local.push_back(stem.position_m);

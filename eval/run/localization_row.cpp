@@ -47,7 +47,7 @@ Table localization_table() {
       integers("surviving_stars", "of these, those that stand unchanged in the map's graph"),
       integers("matches", "matching triangles"),
       integers("agreeing", "matching triangles that agree on the pose"),
-      words("verdict", "accepted | ambiguous | not_in_map | too_few_stems"),
+      words("verdict", "accepted | ambiguous | not_in_map | too_few_stems | map_too_small"),
       integers("accepted", "1 when the answer was accepted"),
       integers("success", "1 when accepted and right"),
       numbers("x_m", "m", "answer; NaN when refused", "map"),

@@ -33,10 +33,16 @@ std::vector<std::int64_t> frame_numbers(const std::vector<LocalizationSummary>& 
   return numbers;
 }
 
+/// "prior run" for "prior_run".
+std::string spoken(std::string name) {
+  std::replace(name.begin(), name.end(), '_', ' ');
+  return name;
+}
+
 std::string n_windows(const std::vector<LocalizationSummary>& summaries) {
   const auto& first = summaries.front();
-  return fmt::format("{} disjoint windows, map: {}, tolerance {} m²", first.windows, first.map,
-                     first.tolerance_m2);
+  return fmt::format("{} disjoint windows, map of the {}, tolerance {} m²", first.windows,
+                     spoken(first.map), first.tolerance_m2);
 }
 
 ReportFigure success(const std::filesystem::path& folder,
@@ -46,18 +52,15 @@ ReportFigure success(const std::filesystem::path& folder,
   for (const LocalizationSummary& s : summaries) {
     const bool shown = s.variant == "default" || s.variant == "same_run" || s.variant == "repaired";
     if (!shown) continue;
-    const std::string label = s.variant == "default"    ? "map of the " + s.map
-                              : s.variant == "same_run" ? "map of the same run"
-                                                        : "repaired chain, map of the " + s.map;
+    const std::string label = s.variant == "default" ? "map of the " + spoken(s.map)
+                              : s.variant == "same_run"
+                                  ? "map of the same run"
+                                  : "repaired chain, map of the " + spoken(s.map);
     if (figure.series.empty() || figure.series.back().label != label) {
       figure.series.push_back({label, {}});
     }
     figure.series.back().points.push_back(
         {s.frames, s.success_rate(), s.success_interval.low, s.success_interval.high});
-  }
-  std::replace(figure.protocol.begin(), figure.protocol.end(), '_', ' ');
-  for (auto& series : figure.series) {
-    std::replace(series.label.begin(), series.label.end(), '_', ' ');
   }
   for (const std::int64_t frames : frame_numbers(summaries)) {
     if (const auto paper = paper_row(frames)) {

@@ -5,6 +5,7 @@
 #include <chrono>
 
 #include "algo/types/check.h"
+#include "algo/types/user_error.h"
 
 namespace honka::eval {
 namespace {
@@ -24,7 +25,11 @@ Variant make_variant(std::string name, const Scenario& scenario, const TrunkMap&
   LocalizeSettings settings = scenario.localize;
   settings.li2020.tolerance_m2 = tolerance_m2;
   Variant variant{std::move(name), &map, tolerance_m2, std::move(stems), nullptr};
-  variant.matcher = create_matcher(settings.method, map.positions_m(), settings);
+  try {
+    variant.matcher = create_matcher(settings.method, map.positions_m(), settings);
+  } catch (const UserError&) {
+    // A map that cannot be matched in is a result of the trial: its rows say so.
+  }
   return variant;
 }
 

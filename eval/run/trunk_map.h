@@ -35,8 +35,8 @@ struct Variant {
   std::string name;  ///< "default", "same_run", "tolerance_3.5", "repaired"
   const TrunkMap* map = nullptr;
   double tolerance_m2 = 0.0;
-  StemSettings stems;  ///< for the local cloud
-  std::unique_ptr<Matcher> matcher;
+  StemSettings stems;                ///< for the local cloud
+  std::unique_ptr<Matcher> matcher;  ///< null where the map holds nothing to match
 };
 
 /// The default first, then what `scenario.variants` asks for.

@@ -79,7 +79,8 @@ void judge_pose(LocalizationRow& row, const Pose2& T_odom_local, const ProtocolS
 
 void localize(LocalizationRow& row, const Variant& variant, const LocalStems& local) {
   const auto start = Clock::now();
-  const LocateResult result = variant.matcher->locate(local.positions_m);
+  const LocateResult result =
+      variant.matcher ? variant.matcher->locate(local.positions_m) : LocateResult{};
   row.match_ms = milliseconds_since(start);
   row.extract_ms = local.extract_ms;
   row.variant = variant.name;
@@ -88,7 +89,7 @@ void localize(LocalizationRow& row, const Variant& variant, const LocalStems& lo
   row.stems = static_cast<int>(local.stems.size());
   row.matches = result.matches;
   row.agreeing = result.agreeing;
-  row.verdict = verdict_name(result.verdict);
+  row.verdict = variant.matcher ? verdict_name(result.verdict) : "map_too_small";
   row.accepted = result.accepted();
   row.T_map_local = result.T_map_local;
 }
