@@ -11,7 +11,7 @@ void describe(SettingsVisitor& v, OdometrySettings& s) {
   v.field({"drift_deg", "deg", "s.d. of the slow drift of yaw", "choice, as drift_m"}, s.drift_deg,
           {0, 90});
   v.field({"correlation_length_m", "m", "distance over which the drift forgets itself",
-           "choice: the spacing of strip roads"},
+           "drift of 0.5 % over 10 m, the class of LOAM (Zhang & Singh 2014)"},
           s.correlation_length_m, {0.1, 1e6});
   v.field({"jitter_m", "m", "s.d. of x, y, z, independent at each key frame",
            "choice: residual of a scan-to-map registration"},

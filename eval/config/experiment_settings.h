@@ -20,7 +20,7 @@ struct OdometrySettings {
   std::string source = "truth+noise";
   double drift_m = 0.10;
   double drift_deg = 0.10;
-  double correlation_length_m = 50.0;
+  double correlation_length_m = 150.0;
   double jitter_m = 0.01;
   double jitter_deg = 0.05;
 };
