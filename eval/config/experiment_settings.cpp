@@ -5,6 +5,9 @@ namespace honka::eval {
 void describe(SettingsVisitor& v, OdometrySettings& s) {
   v.field({"source", "", "where poses between key frames come from", "choice"}, s.source,
           {"truth+noise"});
+  v.field({"drift_follows", "", "place: revisits agree; way: every metre adds",
+           "LOAM registers scans to its map (Li2020 2.6)"},
+          s.drift_follows, {"place", "way"});
   v.field({"drift_m", "m", "s.d. of the slow drift of x and of y",
            "choice: map drift of lidar mapping over a stand"},
           s.drift_m, {0, 100});

@@ -13,11 +13,14 @@ namespace honka::eval {
 
 /// How poses between key frames are made; see eval/run/truth_noise_odometry.h.
 ///
-/// The error of a pose is a slow drift, a stationary first-order Gauss–Markov process over the
-/// distance travelled, and an independent jitter of every key frame (what one scan-to-map
-/// registration leaves). The drift is planar: x, y, and yaw about the sensor.
+/// The error of a pose is a slow drift with exponential covariance over distance, and an
+/// independent jitter of every key frame (what one scan-to-map registration leaves). The drift is
+/// planar: x, y, and yaw about the sensor. It follows the place, as that of an odometry which
+/// registers scans to its map does (coming back, it meets its own map again), or the way travelled,
+/// as that of one which only chains scans.
 struct OdometrySettings {
   std::string source = "truth+noise";
+  std::string drift_follows = "place";
   double drift_m = 0.10;
   double drift_deg = 0.10;
   double correlation_length_m = 150.0;

@@ -1,6 +1,8 @@
 #include "eval/run/truth_noise_odometry.h"
 
 #include <cmath>
+#include <memory>
+#include <optional>
 
 #include "algo/types/random.h"
 
@@ -12,37 +14,102 @@ Eigen::Matrix3d rotation_of(double roll_rad, double pitch_rad, double yaw_rad) {
   return pose_from_rpy(Eigen::Vector3d::Zero(), roll_rad, pitch_rad, yaw_rad).linear();
 }
 
+/// Drift in units of its s.d.: x, y and yaw.
+class Drift {
+ public:
+  virtual ~Drift() = default;
+  /// For the sweeps of a drive, one after the other.
+  [[nodiscard]] virtual Eigen::Vector3d at(const Eigen::Vector3d& place_m) = 0;
+};
+
+/// First-order Gauss–Markov over the way travelled.
+class DriftAlongWay : public Drift {
+ public:
+  DriftAlongWay(std::uint64_t seed, double length_m)
+      : stream_(seed, "odometry_drift"), length_m_(length_m) {
+    for (int axis = 0; axis < 3; ++axis) state_[axis] = stream_.normal();
+  }
+  [[nodiscard]] Eigen::Vector3d at(const Eigen::Vector3d& place_m) override {
+    const double way_m = last_m_ ? (place_m - *last_m_).norm() : 0.0;
+    const double memory = std::exp(-way_m / length_m_);
+    const double fresh = std::sqrt(std::max(0.0, 1.0 - memory * memory));
+    for (int axis = 0; axis < 3; ++axis) {
+      state_[axis] = memory * state_[axis] + fresh * stream_.normal();
+    }
+    last_m_ = place_m;
+    return state_;
+  }
+
+ private:
+  RandomStream stream_;
+  double length_m_;
+  Eigen::Vector3d state_;
+  std::optional<Eigen::Vector3d> last_m_;
+};
+
+/// Gaussian field over the plane with covariance exp(−distance / length), as a sum of waves drawn
+/// from its spectrum (Rahimi & Recht 2007): |k| has the distribution 1 − (1 + (length
+/// |k|)²)^(−1/2).
+class DriftOfPlace : public Drift {
+ public:
+  DriftOfPlace(std::uint64_t seed, double length_m) {
+    for (std::size_t i = 0; i < kWaves; ++i) {
+      RandomStream stream(seed, "odometry_drift_wave", {i});
+      for (int axis = 0; axis < 3; ++axis) {
+        const double rest = 1.0 - stream.uniform();
+        const double k = std::sqrt(1.0 / (rest * rest) - 1.0) / length_m;
+        const double direction = stream.uniform(0.0, 2.0 * kPi);
+        waves_.push_back(
+            {k * std::cos(direction), k * std::sin(direction), stream.uniform(0.0, 2.0 * kPi)});
+      }
+    }
+  }
+  [[nodiscard]] Eigen::Vector3d at(const Eigen::Vector3d& place_m) override {
+    Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+    for (std::size_t i = 0; i < waves_.size(); ++i) {
+      const Wave& wave = waves_[i];
+      sum[static_cast<Eigen::Index>(i % 3)] +=
+          std::cos(wave.x * place_m.x() + wave.y * place_m.y() + wave.phase);
+    }
+    return sum * std::sqrt(2.0 / static_cast<double>(kWaves));
+  }
+
+ private:
+  static constexpr std::size_t kWaves = 200;
+  struct Wave {
+    double x, y, phase;
+  };
+  std::vector<Wave> waves_;
+};
+
+std::unique_ptr<Drift> make_drift(const OdometrySettings& settings, std::uint64_t seed) {
+  if (settings.drift_follows == "way") {
+    return std::make_unique<DriftAlongWay>(seed, settings.correlation_length_m);
+  }
+  return std::make_unique<DriftOfPlace>(seed, settings.correlation_length_m);
+}
+
 }  // namespace
 
 TruthNoiseOdometry::TruthNoiseOdometry(const sim::Trajectory& truth, double period_s,
                                        std::int64_t sweeps, const OdometrySettings& settings,
                                        std::uint64_t seed)
     : truth_(truth) {
-  RandomStream drift(seed, "odometry_drift");
-  Eigen::Vector3d state(drift.normal(), drift.normal(), drift.normal());
-  Eigen::Vector3d previous_m = truth.T_world_lidar(0.0).translation();
+  const std::unique_ptr<Drift> drift = make_drift(settings, seed);
+  const double angle_sd_rad = deg_to_rad(settings.jitter_deg);
   for (std::int64_t k = 0; k < sweeps; ++k) {
-    // Gauss–Markov drift over the distance travelled since the last sweep.
-    const Eigen::Vector3d here_m =
-        truth.T_world_lidar(period_s * static_cast<double>(k)).translation();
-    const double memory = std::exp(-(here_m - previous_m).norm() / settings.correlation_length_m);
-    const double fresh = std::sqrt(std::max(0.0, 1.0 - memory * memory));
-    for (int axis = 0; axis < 3; ++axis) {
-      state[axis] = memory * state[axis] + fresh * drift.normal();
-    }
-    previous_m = here_m;
-
+    const double time_s = period_s * static_cast<double>(k);
+    const Eigen::Vector3d drifted = drift->at(truth.T_world_lidar(time_s).translation());
     RandomStream jitter(seed, "odometry_jitter", {static_cast<std::uint64_t>(k)});
-    const double angle_sd_rad = deg_to_rad(settings.jitter_deg);
     Error error;
     for (int axis = 0; axis < 3; ++axis) {
       error.translation_m[axis] = jitter.normal(0.0, settings.jitter_m);
     }
-    error.translation_m.head<2>() += settings.drift_m * state.head<2>();
+    error.translation_m.head<2>() += settings.drift_m * drifted.head<2>();
     const double roll = jitter.normal(0.0, angle_sd_rad);
     const double pitch = jitter.normal(0.0, angle_sd_rad);
     const double yaw =
-        jitter.normal(0.0, angle_sd_rad) + deg_to_rad(settings.drift_deg) * state.z();
+        jitter.normal(0.0, angle_sd_rad) + deg_to_rad(settings.drift_deg) * drifted.z();
     error.rotation = rotation_of(roll, pitch, yaw);
     errors_.push_back(error);
   }
