@@ -23,7 +23,7 @@ struct StemSettings {
   double planar_radius_m = 0.05;
   double cluster_link_m = 0.2;
   std::int64_t cluster_threshold = 5;
-  double points_per_sweep = 1.0;
+  double points_per_sweep = 1.5;
   double max_range_m = 40.0;
   double voxel_m = 0.0;
   bool height_band = false;

@@ -21,7 +21,7 @@ void describe_algorithm(SettingsVisitor& v, StemSettings& s) {
            "choice: 5 for a local cloud, 100–500 for the map of a run"},
           s.cluster_threshold, {1, 1000000});
   v.field({"points_per_sweep", "", "and least points for each sweep that the cloud holds",
-           "Li2020 section 2.4, observational stability: seen once a sweep; 0 leaves it out"},
+           "Li2020 section 2.4, observational stability; greatest F1 of stems in ten sweeps"},
           s.points_per_sweep, {0.0, 1000.0});
 }
 
