@@ -10,7 +10,7 @@ namespace honka::sim {
 
 /// Truth of one return, beside Sweep::returns at the same index.
 struct ReturnTruth {
-  Label label;          ///< part kNone for a miss
+  Label label;           ///< part kNone for a miss
   float range_m = 0.0F;  ///< exact range of the centre ray's surface, without noise; 0 for a miss
 };
 

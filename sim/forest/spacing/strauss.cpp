@@ -73,7 +73,8 @@ void describe(SettingsVisitor& v, Strauss& s) {
   v.field({"factors", "", "weight of a pair within each step; 1 indifferent, 0 forbidden",
            "fitted to the pair correlation of mature pine plots"},
           s.factors, {0.0, 10.0});
-  v.field({"sweeps", "", "Metropolis moves per stem", "choice: Clark–Evans and g(r) are level from 20 on"},
+  v.field({"sweeps", "", "Metropolis moves per stem",
+           "choice: Clark–Evans and g(r) are level from 20 on"},
           s.sweeps, {1, 100000});
 }
 
