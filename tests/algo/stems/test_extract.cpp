@@ -114,10 +114,10 @@ TEST_CASE("a stem is seen at least so often a sweep") {
   LocalCloud cloud = cloud_from(Eigen::Vector3d::Zero());
   for (int k = 0; k < 6; ++k) add_point(cloud, {5.0 + k / 64.0, 0.0, 0.0});
   for (int k = 0; k < 6; ++k) add_point(cloud, {5.0 + k / 64.0, 0.0, 2.0});
-  cloud.origins_m.resize(6, Eigen::Vector3d::Zero());
-  StemSettings s;  // 6 lower points pass the 2 m test, from 6 sweeps
+  cloud.origins_m.resize(4, Eigen::Vector3d::Zero());
+  StemSettings s;  // 6 lower points pass the 2 m test: 1.5 a sweep
   CHECK(extract_stems(cloud, s).stems.size() == 1);
-  cloud.origins_m.resize(7, Eigen::Vector3d::Zero());
+  cloud.origins_m.resize(5, Eigen::Vector3d::Zero());
   CHECK(extract_stems(cloud, s).stems.empty());
   s.points_per_sweep = 0.0;
   CHECK(extract_stems(cloud, s).stems.size() == 1);
