@@ -2,7 +2,9 @@
 #include <benchmark/benchmark.h>
 
 #include <ctime>
+#include <filesystem>
 
+#include "eval/io/recording.h"
 #include "sim/forest/forest.h"
 #include "sim/harvester/paths.h"
 #include "sim/harvester/vehicle.h"
@@ -72,14 +74,42 @@ void cast_bare(RTCScene scene, std::vector<RTCRayHit>& rays) {
   benchmark::DoNotOptimize(rays.data());
 }
 
-/// In turn: all sweeps in full, then their rays bare; one core, its own time. The ratio decides.
+/// Truth poses of a sweep as `honka simulate` records them: every 10 ms.
+eval::SweepKnots knots_of(const Trajectory& trajectory, const Sweep& sweep) {
+  eval::SweepKnots knots;
+  for (int k = 0; k <= 10; ++k) {
+    knots.times_s.push_back(sweep.start_time_s + 0.01 * k);
+    knots.T_world_lidar.push_back(trajectory.T_world_lidar(knots.times_s.back()));
+  }
+  return knots;
+}
+
+/// Seconds to cast all sweeps and write them with their truth; the file is removed again.
+double record_s(const LidarSimulator& lidar, const Scene& scene) {
+  const auto file = std::filesystem::temp_directory_path() / "honka_bench_recording.h5";
+  const Trajectory& trajectory = scene.vehicle.trajectory();
+  const double start = cpu_s();
+  eval::RecordingWriter writer(file, lidar.model(), Pose3::Identity(), {});
+  for (int i = 0; i < kSweeps; ++i) {
+    const TruthfulSweep sweep = lidar.cast(trajectory, scene.sweep(i));
+    const eval::SweepKnots knots = knots_of(trajectory, sweep.sweep);
+    writer.append(sweep, knots.T_world_lidar, knots.times_s);
+  }
+  writer.commit();
+  const double spent_s = cpu_s() - start;
+  std::filesystem::remove(file);
+  return spent_s;
+}
+
+/// In turn: all sweeps in full, the same recorded, then their rays bare; one core, its own time.
+/// The ratios decide.
 void sweeps_beside_bare_embree(benchmark::State& state) {
   const Scene& scene = Scene::get();
   const LidarSettings settings;
   const LidarSimulator lidar(scene.world, settings, kSeed);
   const Trajectory& trajectory = scene.vehicle.trajectory();
   std::vector<std::vector<RTCRayHit>> queries;
-  double bare_s = 0.0, full_s = 0.0, rays = 0.0, hits = 0.0;
+  double bare_s = 0.0, full_s = 0.0, recorded_s = 0.0, rays = 0.0, hits = 0.0;
   for (int i = 0; i < kSweeps; ++i) {
     const TruthfulSweep sweep = lidar.cast(trajectory, scene.sweep(i));
     queries.push_back(rays_of(sweep.sweep, lidar.model(), trajectory, settings.max_range_m));
@@ -92,6 +122,7 @@ void sweeps_beside_bare_embree(benchmark::State& state) {
       benchmark::DoNotOptimize(lidar.cast(trajectory, scene.sweep(i)));
     }
     full_s += cpu_s() - start;
+    recorded_s += record_s(lidar, scene);
     for (auto& sweep : queries) reset(sweep, settings.max_range_m);
     const double bare_start = cpu_s();
     for (auto& sweep : queries) cast_bare(lidar.scene().handle(), sweep);
@@ -101,6 +132,7 @@ void sweeps_beside_bare_embree(benchmark::State& state) {
   state.counters["bare_Mray_s"] = 1e-6 * rays * passes / bare_s;
   state.counters["full_Mray_s"] = 1e-6 * rays * passes / full_s;
   state.counters["ratio"] = bare_s / full_s;
+  state.counters["ratio_recorded"] = bare_s / recorded_s;
   state.counters["hit_share"] = hits / rays;
 }
 BENCHMARK(sweeps_beside_bare_embree)->Unit(benchmark::kMillisecond)->MinTime(3.0);
