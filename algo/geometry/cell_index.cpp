@@ -7,7 +7,7 @@
 namespace honka {
 namespace {
 
-constexpr std::size_t kFirstSlots = 1024;
+constexpr std::size_t kFirstCellSlots = 1024;
 
 template <class Point>
 Point lowest_of(std::span<const Point> points) {
@@ -63,7 +63,7 @@ std::uint64_t CellLattice<Dim>::step(const std::array<int, Dim>& cells) {
   return sum;
 }
 
-CellIndex::CellIndex(std::span<const std::uint64_t> keys) : slots_(kFirstSlots) {
+CellIndex::CellIndex(std::span<const std::uint64_t> keys) : slots_(kFirstCellSlots) {
   HONKA_CHECK(keys.size() < kEmpty, "too many items for 32-bit indices");
   cell_of_.resize(keys.size());
   for (std::size_t i = 0; i < keys.size(); ++i) {

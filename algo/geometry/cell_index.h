@@ -12,6 +12,11 @@
 
 namespace honka {
 
+/// Cells a hair larger or smaller than a bound on distances, so that rounding of a cell number
+/// cannot hide a neighbour (wide) or claim one (narrow).
+inline constexpr double kWide = 1.0 + 1e-9;
+inline constexpr double kNarrow = 1.0 - 1e-9;
+
 /// A lattice of square (Dim 2) or cubic (Dim 3) cells whose 64-bit keys add up: the key of a
 /// neighbour is `key(p) + step({dx, dy…})`, for steps of at most kMargin cells.
 template <int Dim>

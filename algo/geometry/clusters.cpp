@@ -13,8 +13,6 @@ namespace {
 template <int Dim>
 using Points = std::span<const Eigen::Matrix<double, Dim, 1>>;
 
-constexpr double kNarrow = 1.0 - 1e-9;  // rounding of a cell number must not claim a neighbour
-
 template <int Dim>
 bool near(const Eigen::Matrix<double, Dim, 1>& a, const Eigen::Matrix<double, Dim, 1>& b,
           double squared_link) {

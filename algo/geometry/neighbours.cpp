@@ -10,11 +10,6 @@
 namespace honka {
 namespace {
 
-// Cells a hair larger or smaller than the bound, so that rounding of a cell number cannot hide a
-// neighbour (wide) or claim one (narrow).
-constexpr double kWide = 1.0 + 1e-9;
-constexpr double kNarrow = 1.0 - 1e-9;
-
 struct ColumnPoint {
   double x, y, z;
   std::uint32_t index;

@@ -9,12 +9,12 @@
 namespace honka::eval {
 namespace {
 
-constexpr std::size_t kPoseNumbers = 12;
+constexpr std::size_t kPoseEntries = 12;
 
 Pose3 pose_at(const std::vector<double>& numbers, std::size_t pose) {
   Pose3 T = Pose3::Identity();
-  for (std::size_t i = 0; i < kPoseNumbers; ++i) {
-    T.matrix()(static_cast<int>(i / 4), static_cast<int>(i % 4)) = numbers[kPoseNumbers * pose + i];
+  for (std::size_t i = 0; i < kPoseEntries; ++i) {
+    T.matrix()(static_cast<int>(i / 4), static_cast<int>(i % 4)) = numbers[kPoseEntries * pose + i];
   }
   return T;
 }
@@ -72,7 +72,7 @@ struct RecordingReader::State {
     check_schema(file, path);
     model = read_model(file, path);
     const auto mounting = file.open_column<double>("/sensor/T_vehicle_lidar").read_all();
-    if (mounting.size() != kPoseNumbers) fail_damaged(path, "/sensor/T_vehicle_lidar");
+    if (mounting.size() != kPoseEntries) fail_damaged(path, "/sensor/T_vehicle_lidar");
     T_vehicle_lidar = pose_at(mounting, 0);
     index = file.open_column<std::int64_t>("/sweeps/index").read_all();
     start_time_s = file.open_column<double>("/sweeps/start_time_s").read_all();

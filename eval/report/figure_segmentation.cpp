@@ -9,17 +9,17 @@
 namespace honka::eval {
 namespace {
 
-using Points = std::vector<Eigen::Vector3d>;
+using Cloud = std::vector<Eigen::Vector3d>;
 
-Points slice(const Points& points, double half_width_m) {
-  Points inside;
+Cloud slice(const Cloud& points, double half_width_m) {
+  Cloud inside;
   for (const auto& point : points) {
     if (std::abs(point.y()) <= half_width_m) inside.push_back(point);
   }
   return thinned(inside, 40000);
 }
 
-std::pair<double, double> limits(const Points& points, int axis) {
+std::pair<double, double> limits(const Cloud& points, int axis) {
   std::vector<double> values;
   for (const auto& point : points) values.push_back(point[axis]);
   return quantile_range(values, 0.003, 0.997);
@@ -49,7 +49,7 @@ void set_style(Figure& figure, std::pair<double, double> x, std::pair<double, do
 
 ReportFigure draw_segmentation(const std::filesystem::path& folder,
                                const SegmentationFigure& input) {
-  const Points original = slice(input.original, input.slice_half_width_m);
+  const Cloud original = slice(input.original, input.slice_half_width_m);
   const auto x = limits(original, 0), z = limits(original, 2);
   Figure figure(folder, "segmentation", 1000, 900, Figure::Format::kPng);
   const std::string all = figure.data("(a) original: x y z", columns_of(original));

@@ -1,3 +1,5 @@
+#include <unistd.h>
+
 #include <catch2/catch.hpp>
 #include <fstream>
 #include <functional>
@@ -12,7 +14,8 @@ namespace {
 class PlantedTree {
  public:
   PlantedTree(const std::string& file, const std::string& text)
-      : root_(fs::temp_directory_path() / ("honka_planted_" + std::to_string(count_++))) {
+      : root_(fs::temp_directory_path() /
+              ("honka_planted_" + std::to_string(::getpid()) + "_" + std::to_string(count_++))) {
     fs::remove_all(root_);
     fs::create_directories((root_ / file).parent_path());
     std::ofstream(root_ / file) << text;

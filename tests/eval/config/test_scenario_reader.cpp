@@ -1,3 +1,5 @@
+#include <unistd.h>
+
 #include <catch2/catch.hpp>
 #include <filesystem>
 #include <fstream>
@@ -32,7 +34,8 @@ void describe(SettingsVisitor& v, Sample& s) {
 
 /// A file "scenario.toml" with the given text, in a folder of its own.
 std::string written(const std::string& text) {
-  const auto folder = std::filesystem::temp_directory_path() / "honka_test_config";
+  const auto folder =
+      std::filesystem::temp_directory_path() / ("honka-config-" + std::to_string(::getpid()));
   std::filesystem::create_directories(folder);
   const auto file = folder / "scenario.toml";
   std::ofstream(file) << text;

@@ -7,7 +7,7 @@ using namespace honka::sim;
 
 namespace {
 
-ForestSettings small() {
+ForestSettings plot() {
   ForestSettings settings;
   settings.width_m = 60.0;
   settings.length_m = 50.0;
@@ -33,8 +33,8 @@ std::map<std::int32_t, std::vector<Cone>> stems_of(const World& world) {
 }  // namespace
 
 TEST_CASE("every stem is one chain of cones from below the ground to the top") {
-  const Stand stand = make_stand(small(), {}, 1);
-  const auto stems = stems_of(make_world(stand, small(), 1));
+  const Stand stand = make_stand(plot(), {}, 1);
+  const auto stems = stems_of(make_world(stand, plot(), 1));
   REQUIRE(stems.size() == stand.trees.size());
   for (const Tree& tree : stand.trees) {
     const auto& chain = stems.at(tree.id);
@@ -50,8 +50,8 @@ TEST_CASE("every stem is one chain of cones from below the ground to the top") {
 }
 
 TEST_CASE("the chain keeps to the taper and the lean within 3 mm where a lidar looks") {
-  const Stand stand = make_stand(small(), {}, 2);
-  const auto stems = stems_of(make_world(stand, small(), 1));
+  const Stand stand = make_stand(plot(), {}, 2);
+  const auto stems = stems_of(make_world(stand, plot(), 1));
   double worst_m = 0.0;
   for (const Tree& tree : stand.trees) {
     for (const Cone& cone : stems.at(tree.id)) {
@@ -69,8 +69,8 @@ TEST_CASE("the chain keeps to the taper and the lean within 3 mm where a lidar l
 }
 
 TEST_CASE("crowns hang on their trees: owners, heights, about 60 live branches") {
-  const Stand stand = make_stand(small(), {}, 1);
-  const World world = make_world(stand, small(), 1);
+  const Stand stand = make_stand(plot(), {}, 1);
+  const World world = make_world(stand, plot(), 1);
   const auto trees = static_cast<double>(stand.trees.size());
   CHECK(static_cast<double>(count(world, Part::kBranch)) / trees == Approx(65).margin(10));
   CHECK(static_cast<double>(count(world, Part::kDeadBranch)) / trees == Approx(9).margin(3));
@@ -89,12 +89,12 @@ TEST_CASE("crowns hang on their trees: owners, heights, about 60 live branches")
 }
 
 TEST_CASE("switches take crowns away") {
-  const Stand stand = make_stand(small(), {}, 1);
-  ForestSettings bare = small();
+  const Stand stand = make_stand(plot(), {}, 1);
+  ForestSettings bare = plot();
   bare.crown.branches = false;
   CHECK(count(make_world(stand, bare, 1), Part::kBranch) == 0);
   CHECK(count(make_world(stand, bare, 1), Part::kFoliage) == 0);
-  ForestSettings winter = small();
+  ForestSettings winter = plot();
   winter.crown.foliage = false;
   CHECK(count(make_world(stand, winter, 1), Part::kBranch) > 0);
   CHECK(count(make_world(stand, winter, 1), Part::kFoliage) == 0);
@@ -102,7 +102,7 @@ TEST_CASE("switches take crowns away") {
 
 TEST_CASE("what lies on the ground is in the world, and every number is finite") {
   const std::vector<Polyline> road = {{{0, 25}, {60, 25}}};
-  ForestSettings settings = small();
+  ForestSettings settings = plot();
   settings.undergrowth.log_piles_per_100_m = 20.0;
   const Stand stand = thin(make_stand(settings, road, 3), {}, 3);
   const World world = make_world(stand, settings, 3);
@@ -124,10 +124,10 @@ TEST_CASE("what lies on the ground is in the world, and every number is finite")
 }
 
 TEST_CASE("a tree's crown belongs to the tree, not to its place in the list") {
-  Stand stand = make_stand(small(), {}, 1);
-  const World all = make_world(stand, small(), 1);
+  Stand stand = make_stand(plot(), {}, 1);
+  const World all = make_world(stand, plot(), 1);
   stand.trees.erase(stand.trees.begin(), stand.trees.begin() + 10);
-  const World fewer = make_world(stand, small(), 1);
+  const World fewer = make_world(stand, plot(), 1);
   const auto last_branch = [](const World& world) {
     Eigen::Vector3d tip = Eigen::Vector3d::Zero();
     for (const Cone& cone : world.cones) {
