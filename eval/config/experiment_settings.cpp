@@ -3,8 +3,11 @@
 namespace honka::eval {
 
 void describe(SettingsVisitor& v, OdometrySettings& s) {
-  v.field({"source", "", "where poses between key frames come from", "choice"}, s.source,
-          {"truth+noise"});
+  Choices sources = {"truth+noise"};
+  sources.insert(sources.end(), odometry_names().begin(), odometry_names().end());
+  v.field({"source", "", "where poses come from: truth and noise, or an odometry of the scans",
+           "Li2020 2.6 takes LOAM"},
+          s.source, sources);
   v.field({"drift_follows", "", "place: revisits agree; way: every metre adds",
            "LOAM registers scans to its map (Li2020 2.6)"},
           s.drift_follows, {"place", "way"});
@@ -22,6 +25,7 @@ void describe(SettingsVisitor& v, OdometrySettings& s) {
   v.field({"jitter_deg", "deg", "s.d. of roll, pitch, yaw, independent at each key frame",
            "choice, as jitter_m"},
           s.jitter_deg, {0, 90});
+  describe(v, s.lidar);
 }
 
 StemSettings MapSettings::map_stems() {

@@ -5,19 +5,21 @@
 #include <vector>
 
 #include "algo/odometry/key_frames.h"
+#include "algo/odometry/odometry.h"
 #include "algo/stems/extract.h"
 #include "algo/types/settings.h"
 #include "sim/harvester/vehicle_settings.h"
 
 namespace honka::eval {
 
-/// How poses between key frames are made; see eval/run/truth_noise_odometry.h.
+/// Where poses come from: from the scans alone (loam, stems; see algo/odometry), or, for studies,
+/// from truth and noise (eval/run/truth_noise_odometry.h).
 ///
-/// The error of a pose is a slow drift with exponential covariance over distance, and an
-/// independent jitter of every key frame (what one scan-to-map registration leaves). The drift is
-/// planar: x, y, and yaw about the sensor. It follows the place, as that of an odometry which
-/// registers scans to its map does (coming back, it meets its own map again), or the way travelled,
-/// as that of one which only chains scans.
+/// Of truth and noise, the error of a pose is a slow drift with exponential covariance over
+/// distance, and an independent jitter of every sweep (what one scan-to-map registration leaves).
+/// The drift is planar: x, y, and yaw about the sensor. It follows the place, as that of an
+/// odometry which registers scans to its map does (coming back, it meets its own map again), or the
+/// way travelled, as that of one which only chains scans.
 struct OdometrySettings {
   std::string source = "truth+noise";
   std::string drift_follows = "place";
@@ -26,6 +28,7 @@ struct OdometrySettings {
   double correlation_length_m = 150.0;
   double jitter_m = 0.01;
   double jitter_deg = 0.05;
+  LidarOdometrySettings lidar = {};
 };
 void describe(SettingsVisitor& v, OdometrySettings& s);
 

@@ -1,9 +1,11 @@
 #include "eval/run/truth_noise_odometry.h"
 
+#include <algorithm>
 #include <cmath>
 #include <memory>
 #include <optional>
 
+#include "algo/geometry/se3.h"
 #include "algo/types/random.h"
 
 namespace honka::eval {
@@ -94,9 +96,13 @@ std::unique_ptr<Drift> make_drift(const OdometrySettings& settings, std::uint64_
 TruthNoiseOdometry::TruthNoiseOdometry(const sim::Trajectory& truth, double period_s,
                                        std::int64_t sweeps, const OdometrySettings& settings,
                                        std::uint64_t seed)
-    : truth_(truth) {
+    : truth_(truth), period_s_(period_s) {
   const std::unique_ptr<Drift> drift = make_drift(settings, seed);
   const double angle_sd_rad = deg_to_rad(settings.jitter_deg);
+  Twist variances;
+  variances << Eigen::Vector3d::Constant(settings.jitter_m * settings.jitter_m),
+      Eigen::Vector3d::Constant(angle_sd_rad * angle_sd_rad);
+  covariance_ = variances.asDiagonal();
   for (std::int64_t k = 0; k < sweeps; ++k) {
     const double time_s = period_s * static_cast<double>(k);
     const Eigen::Vector3d drifted = drift->at(truth.T_world_lidar(time_s).translation());
@@ -113,6 +119,33 @@ TruthNoiseOdometry::TruthNoiseOdometry(const sim::Trajectory& truth, double peri
     error.rotation = rotation_of(roll, pitch, yaw);
     errors_.push_back(error);
   }
+}
+
+OdometryCause TruthNoiseOdometry::place_in_time(double start_time_s) const {
+  if (!std::isfinite(start_time_s)) return OdometryCause::kNotFinite;
+  if (!started_ || start_time_s > last_.start_time_s) return OdometryCause::kNone;
+  return start_time_s < last_.start_time_s ? OdometryCause::kReversedTime
+                                           : OdometryCause::kRepeatedTime;
+}
+
+OdometryEstimate TruthNoiseOdometry::process(const Sweep& sweep) {
+  OdometryEstimate estimate = last_;
+  estimate.sweep = sweep.index;
+  estimate.cause = place_in_time(sweep.start_time_s);
+  estimate.covariance = covariance_;
+  if (estimate.cause != OdometryCause::kNone || errors_.empty()) {
+    estimate.status = OdometryStatus::kRefused;
+    estimate.T_odom_start = last_.T_odom_end;
+    return estimate;
+  }
+  const std::int64_t nearest = std::clamp<std::int64_t>(sweep.index, 0, sweeps() - 1);
+  estimate.start_time_s = sweep.start_time_s;
+  estimate.end_time_s = sweep.start_time_s + period_s_;
+  estimate.T_odom_start = T_odom_lidar(nearest, estimate.start_time_s);
+  estimate.T_odom_end = T_odom_lidar(nearest, estimate.end_time_s);
+  last_ = estimate;
+  started_ = true;
+  return estimate;
 }
 
 Pose3 TruthNoiseOdometry::T_odom_lidar(std::int64_t sweep, double time_s) const {

@@ -2,20 +2,27 @@
 
 #include <vector>
 
+#include "algo/odometry/odometry.h"
 #include "algo/types/pose.h"
 #include "eval/config/experiment_settings.h"
 #include "sim/world/trajectory.h"
 
 namespace honka::eval {
 
-/// Odometry made of truth and noise, for studies and until a lidar odometry takes its place.
+/// Odometry made of truth and noise, for studies that ask what an odometry's error costs.
 /// The poses that it reports for every sweep of a drive; the model of its error stands beside
-/// OdometrySettings.
-class TruthNoiseOdometry {
+/// OdometrySettings. Unlike that of a lidar odometry, its frame is the world, but for drift and
+/// jitter.
+class TruthNoiseOdometry : public Odometry {
  public:
-  /// `sweeps` sweeps of `period_s`; the odometry frame is the world but for drift and jitter.
+  /// `sweeps` sweeps of `period_s`. Keeps `truth` by reference.
   TruthNoiseOdometry(const sim::Trajectory& truth, double period_s, std::int64_t sweeps,
                      const OdometrySettings& settings, std::uint64_t seed);
+
+  /// Answers by the sweep's index and times. A time that is no number, repeated or reversed is
+  /// refused; a sweep outside the drive has the error of the nearest one in it.
+  [[nodiscard]] OdometryEstimate process(const Sweep& sweep) override;
+  [[nodiscard]] bool needs_returns() const override { return false; }
 
   /// Pose at a time within sweep `sweep` (its start to its end).
   [[nodiscard]] Pose3 T_odom_lidar(std::int64_t sweep, double time_s) const;
@@ -26,8 +33,14 @@ class TruthNoiseOdometry {
     Eigen::Vector3d translation_m;
     Eigen::Matrix3d rotation;  ///< applied in the odometry frame, about the sensor
   };
+  [[nodiscard]] OdometryCause place_in_time(double start_time_s) const;
+
   const sim::Trajectory& truth_;
+  double period_s_;
+  Covariance6 covariance_;  ///< of the jitter
   std::vector<Error> errors_;
+  OdometryEstimate last_;
+  bool started_ = false;
 };
 
 }  // namespace honka::eval
