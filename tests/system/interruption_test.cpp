@@ -28,8 +28,8 @@ TEST_CASE("an interrupted run leaves nothing behind") {
   const int signal = GENERATE(SIGINT, SIGTERM);
   const TemporaryFolder folder;
   write_tiny(folder, "long.toml");
-  const auto outcome = run_honka({"run", "long.toml", "--out", "out", "-s", "forest.length_m=3000"}, folder.path(),
-                                 once_it_writes(folder, signal));
+  const auto outcome = run_honka({"run", "long.toml", "--out", "out", "-s", "forest.length_m=3000"},
+                                 folder.path(), once_it_writes(folder, signal));
   INFO(outcome.err);
   CHECK(outcome.exit_code == 3);
   CHECK(folder.entries() == 1);
@@ -39,10 +39,10 @@ TEST_CASE("an interrupted run leaves nothing behind") {
 TEST_CASE("an interrupted recording leaves nothing behind") {
   const TemporaryFolder folder;
   write_tiny(folder, "long.toml");
-  const auto outcome = run_honka({"simulate", "long.toml", "--out", "long.h5", "-s",
-                                  "simulate.duration_s=3600", "-s", "forest.length_m=3000", "-s",
-                                  "simulate.run=prior_run"}, folder.path(),
-                                 once_it_writes(folder, SIGTERM));
+  const auto outcome =
+      run_honka({"simulate", "long.toml", "--out", "long.h5", "-s", "simulate.duration_s=3600",
+                 "-s", "forest.length_m=3000", "-s", "simulate.run=prior_run"},
+                folder.path(), once_it_writes(folder, SIGTERM));
   INFO(outcome.err);
   CHECK(outcome.exit_code == 3);
   CHECK(folder.entries() == 1);
