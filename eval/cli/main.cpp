@@ -5,6 +5,7 @@
 
 #include "algo/types/user_error.h"
 #include "eval/cli/verbs.h"
+#include "eval/io/interruption.h"
 
 namespace honka::eval {
 namespace {
@@ -140,6 +141,7 @@ int parse_and_act(int argc, char** argv) {
 }  // namespace honka::eval
 
 int main(int argc, char** argv) {
+  honka::eval::end_cleanly_when_interrupted();
   try {
     return honka::eval::parse_and_act(argc, argv);
   } catch (const honka::UserError& error) {

@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <thread>
 
+#include "algo/types/user_error.h"
 #include "eval/cli/verbs.h"
+#include "eval/config/located_error.h"
 #include "eval/config/scenario.h"
 #include "eval/run/experiment.h"
 #include "eval/run/simulate.h"
@@ -24,6 +26,16 @@ std::string command_line(const RunArguments& arguments) {
   return command;
 }
 
+/// Does the work; a mistake of the scenario that shows on the way is led back to its line.
+template <class Work>
+auto with_located_errors(const ResolvedScenario& resolved, Work work) {
+  try {
+    return work();
+  } catch (const UserError& error) {
+    throw UserError(located(error.what(), resolved));
+  }
+}
+
 }  // namespace
 
 int run_verb(const RunArguments& arguments) {
@@ -35,7 +47,8 @@ int run_verb(const RunArguments& arguments) {
                                       : arguments.out;
   request.command = command_line(arguments);
   const Experiment& experiment = find_experiment(request.resolved);
-  const RunOutcome outcome = experiment.run(request);
+  const RunOutcome outcome =
+      with_located_errors(request.resolved, [&] { return experiment.run(request); });
   fmt::print("{}\nresults_digest {}\nReport: {}\n", outcome.table, outcome.digest,
              (outcome.folder / "report.html").string());
   return 0;
@@ -43,8 +56,8 @@ int run_verb(const RunArguments& arguments) {
 
 int simulate_verb(const SimulateArguments& arguments) {
   const ResolvedScenario resolved = load_scenario(arguments.scenario, arguments.all_overrides());
-  const SimulateOutcome outcome =
-      simulate(resolved, arguments.out, thread_count(arguments.threads));
+  const SimulateOutcome outcome = with_located_errors(
+      resolved, [&] { return simulate(resolved, arguments.out, thread_count(arguments.threads)); });
   fmt::print(
       "{}: {} sweeps, {} shots, {:.1f} % with a return\n"
       "Judge a trajectory estimated from it: honka score {} POSES.tum\n",

@@ -63,8 +63,9 @@ LocatedValues read_toml(const std::filesystem::path& file) {
     const toml::table table = toml::parse_file(file.string());
     collect(table, "", file.string(), values);
   } catch (const toml::parse_error& error) {
-    throw UserError(
-        fmt::format("{}: {}", place_of(file.string(), error.source()), error.description()));
+    throw UserError(fmt::format(
+        "{}: {}; write key = value, texts in quotes, lists as [1, 3], groups as [forest]",
+        place_of(file.string(), error.source()), error.description()));
   }
   return values;
 }

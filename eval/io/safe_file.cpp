@@ -138,7 +138,8 @@ void write_file_safely(const fs::path& path, std::string_view content) {
 
 StagedFile::StagedFile(const fs::path& final_path)
     : final_(fs::is_symlink(final_path) ? fs::weakly_canonical(final_path) : final_path),
-      temporary_(final_.string() + part_suffix()) {
+      temporary_(final_.string() + part_suffix()),
+      unfinished_(temporary_) {
   if (fs::is_directory(final_)) throw_write_error(EISDIR, final_);
   make_folder(parent_of(final_));
 }
@@ -156,7 +157,9 @@ void StagedFile::commit() {
 }
 
 OutputFolder::OutputFolder(const fs::path& final_path, const std::string& marker)
-    : final_(without_trailing_slash(final_path)), staged_(final_.string() + part_suffix()) {
+    : final_(without_trailing_slash(final_path)),
+      staged_(final_.string() + part_suffix()),
+      unfinished_(staged_) {
   check_replaceable(final_, marker);
   make_folder(parent_of(final_));
   std::error_code ignored;

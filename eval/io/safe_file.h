@@ -4,6 +4,8 @@
 #include <string>
 #include <string_view>
 
+#include "eval/io/interruption.h"
+
 namespace honka::eval {
 
 /// Throws the one line a user sees when the system refuses to write: what failed, on which path,
@@ -34,6 +36,7 @@ class StagedFile {
 
  private:
   std::filesystem::path final_, temporary_;
+  Unfinished unfinished_;
   bool committed_ = false;
 };
 
@@ -57,6 +60,7 @@ class OutputFolder {
 
  private:
   std::filesystem::path final_, staged_;
+  Unfinished unfinished_;
   bool committed_ = false;
 };
 

@@ -22,15 +22,18 @@ struct Results {
   std::vector<ReportFigure> figures;
 };
 
+void check_trial(const RunRequest& request) {
+  const std::int64_t trials = request.resolved.scenario.trials;
+  if (request.trial.value_or(0) < trials) return;
+  throw UserError(fmt::format("--trial {}: {} has the trials 0 to {}", *request.trial,
+                              request.resolved.file.string(), trials - 1));
+}
+
 /// Every asked trial, one after the other; the threads work within each.
 Results run_trials(const RunRequest& request, const std::filesystem::path& figures) {
   const Scenario& scenario = request.resolved.scenario;
   const std::int64_t first = request.trial.value_or(0);
   const std::int64_t end = request.trial ? first + 1 : scenario.trials;
-  if (first >= scenario.trials) {
-    throw UserError(fmt::format("--trial {}: {} has the trials 0 to {}", first,
-                                request.resolved.file.string(), scenario.trials - 1));
-  }
   Results results;
   for (std::int64_t trial = first; trial < end; ++trial) {
     LocalizationTrial done =
@@ -41,8 +44,8 @@ Results run_trials(const RunRequest& request, const std::filesystem::path& figur
   }
   if (results.frames.rows() == 0) {
     throw UserError(fmt::format(
-        "{}: the drive holds no window of {} key frames; lengthen protocol.path_length_m",
-        request.resolved.file.string(), scenario.protocol.frames.back()));
+        "protocol.path_length_m: the drive holds no window of {} key frames; lengthen it",
+        scenario.protocol.frames.back()));
   }
   return results;
 }
@@ -103,6 +106,7 @@ Json scenario_json(const Scenario& scenario) {
 
 RunOutcome run_localization_experiment(const RunRequest& request) {
   const Scenario& scenario = request.resolved.scenario;
+  check_trial(request);
   const Context context(request.threads, scenario.seed);
   OutputFolder folder(request.out);
   const auto figures = folder.path() / "figures";

@@ -14,15 +14,24 @@
 namespace honka::eval {
 namespace {
 
-/// Rows of the default variant with so many frames.
-std::vector<std::size_t> default_rows(const Table& table, std::int64_t frames) {
+/// Rows of the default variant with so many frames, and where `flag` is 1 if one is named.
+std::vector<std::size_t> default_rows(const Table& table, std::int64_t frames,
+                                      const char* flag = nullptr) {
   std::vector<std::size_t> rows;
   for (std::size_t row = 0; row < table.rows(); ++row) {
-    if (table.strings("variant")[row] == "default" && table.ints("frames")[row] == frames) {
-      rows.push_back(row);
-    }
+    const bool wanted =
+        table.strings("variant")[row] == "default" && table.ints("frames")[row] == frames;
+    if (wanted && (flag == nullptr || table.ints(flag)[row] == 1)) rows.push_back(row);
   }
   return rows;
+}
+
+/// A column of these rows, each value times `scale`.
+std::vector<double> column(const Table& table, const std::vector<std::size_t>& rows,
+                           const char* name, double scale = 1.0) {
+  std::vector<double> values;
+  for (const std::size_t row : rows) values.push_back(scale * table.doubles(name)[row]);
+  return values;
 }
 
 std::vector<std::int64_t> frame_numbers(const std::vector<LocalizationSummary>& summaries) {
@@ -71,14 +80,14 @@ ReportFigure success(const std::filesystem::path& folder,
 }
 
 WindowCountsFigure counts(const Table& table, const std::vector<LocalizationSummary>& summaries,
-                          const char* column, double PaperRow::*member) {
+                          const char* name, double PaperRow::*member) {
   WindowCountsFigure figure;
   figure.protocol = n_windows(summaries);
   for (const std::int64_t frames : frame_numbers(summaries)) {
     WindowCounts series;
     series.frames = frames;
     for (const std::size_t row : default_rows(table, frames)) {
-      series.counts.push_back(static_cast<double>(table.ints(column)[row]));
+      series.counts.push_back(static_cast<double>(table.ints(name)[row]));
     }
     if (const auto paper = paper_row(frames)) series.paper_mean = (*paper).*member;
     figure.series.push_back(std::move(series));
@@ -93,13 +102,12 @@ ReportFigure accuracy(const std::filesystem::path& folder, const Table& table,
   for (const std::int64_t frames : frame_numbers(summaries)) {
     AccuracySeries series;
     series.frames = frames;
-    for (const std::size_t row : default_rows(table, frames)) {
-      if (table.ints("success")[row] == 0) continue;
-      series.rotation_error_deg.push_back(rad_to_deg(table.doubles("rotation_error_rad")[row]));
-      series.match_time_s.push_back(1e-3 * table.doubles("match_ms")[row]);
-      series.map_time_s.push_back(
-          1e-3 * (table.doubles("aggregate_ms")[row] + table.doubles("extract_ms")[row]));
-    }
+    const auto rows = default_rows(table, frames, "success");
+    series.rotation_error_deg = column(table, rows, "rotation_error_rad", rad_to_deg(1.0));
+    series.match_time_s = column(table, rows, "match_ms", 1e-3);
+    series.map_time_s = column(table, rows, "aggregate_ms", 1e-3);
+    const auto extract_s = column(table, rows, "extract_ms", 1e-3);
+    for (std::size_t i = 0; i < rows.size(); ++i) series.map_time_s[i] += extract_s[i];
     figure.series.push_back(std::move(series));
   }
   return draw_accuracy(folder, figure);
@@ -112,11 +120,9 @@ ReportFigure errors(const std::filesystem::path& folder, const Table& table,
   for (const std::int64_t frames : frame_numbers(summaries)) {
     ErrorSeries series;
     series.frames = frames;
-    for (const std::size_t row : default_rows(table, frames)) {
-      if (table.ints("accepted")[row] == 0) continue;
-      series.to_truth_m.push_back(table.doubles("translation_error_m")[row]);
-      series.to_odometry_m.push_back(table.doubles("error_to_odometry_m")[row]);
-    }
+    const auto rows = default_rows(table, frames, "accepted");
+    series.to_truth_m = column(table, rows, "translation_error_m");
+    series.to_odometry_m = column(table, rows, "error_to_odometry_m");
     figure.series.push_back(std::move(series));
   }
   return draw_errors(folder, figure);

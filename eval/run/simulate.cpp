@@ -29,8 +29,8 @@ SweepRange sweep_range(const ResolvedScenario& resolved, double period_s, double
   const auto end =
       static_cast<std::int64_t>(std::llround((settings.start_s + settings.duration_s) / period_s));
   if (first >= total) {
-    throw UserError(fmt::format("{}: simulate.start_s = {} lies beyond the drive's {:.0f} s",
-                                resolved.file.string(), settings.start_s, duration_s));
+    throw UserError(fmt::format("simulate.start_s = {} lies beyond the drive's {:.0f} s; lower it",
+                                settings.start_s, duration_s));
   }
   return {first, std::min(end, total)};
 }

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "sim/world/heightfield.h"
+#include "sim/world/polyline.h"
 #include "sim/world/world.h"
 
 namespace honka::sim {
@@ -27,9 +28,6 @@ struct Tree {
 
 /// Half the stem's diameter over bark at a height above its base; 0 above the top. Metres.
 [[nodiscard]] double stem_radius_m(const Tree& tree, double height_above_ground_m);
-
-/// World x and y, metres.
-using Polyline = std::vector<Eigen::Vector2d>;
 
 /// A shrub or juniper: a few overlapping ellipsoids on the ground.
 struct Bush {

@@ -125,7 +125,7 @@ TEST_CASE("folders and files that are not ours are never replaced") {
   check_refused(
       run_honka({"simulate", "tiny.toml", "--out", "late.h5", "-s", "simulate.start_s=1e5"},
                 folder.path()),
-      {"tiny.toml: ", "simulate.start_s", "beyond the drive"});
+      {"-s simulate.start_s=1e5: ", "simulate.start_s", "beyond the drive"});
   CHECK(contents(folder.path()) == before);
 }
 

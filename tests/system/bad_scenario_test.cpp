@@ -76,6 +76,15 @@ TEST_CASE("lists of frames and tolerances that count windows twice are refused")
                 {"bad.toml:1:10: ", "variants.tolerances_m2 must increase"});
 }
 
+TEST_CASE("a mistake that shows while the world is built is led back to its line") {
+  check_refused(run_text("trials = 1\n[forest]\nspacing.process = \"strauss\"\n"
+                         "density_per_ha = 20000.0\nspacing.strauss.factors = [0.0]\n"
+                         "spacing.strauss.radii = [1.5]\nwidth_m = 40.0\nlength_m = 40.0\n"),
+                {"bad.toml:4:1: ", "do not fit at this density", "lower forest.density_per_ha"});
+  check_refused(run_with({"-s", "protocol.path_length_m=5.0", "-s", "protocol.frames=[90]"}),
+                {"-s protocol.path_length_m=5.0: ", "holds no window of 90 key frames"});
+}
+
 TEST_CASE("a bad override is named as it was typed") {
   check_refused(run_with({"-s", "forest.densty_per_ha=3"}),
                 {"-s forest.densty_per_ha=3: ", "did you mean forest.density_per_ha"});
@@ -109,8 +118,9 @@ TEST_CASE("a forest that cannot be placed says so instead of looping") {
 }
 
 TEST_CASE("a drive too short for one window says so") {
-  check_refused(run_with({"-s", "protocol.frames=[100]"}),
-                {"tiny.toml: ", "no window of 100 key frames", "lengthen protocol.path_length_m"});
+  check_refused(
+      run_with({"-s", "protocol.frames=[100]"}),
+      {"tiny.toml:", "protocol.path_length_m: ", "no window of 100 key frames", "lengthen"});
 }
 
 TEST_CASE("a missing measured stand is named with the key that asks for it") {

@@ -41,7 +41,8 @@ std::vector<std::string> Outcome::complaints() const {
   return lines;
 }
 
-Outcome run_honka(const std::vector<std::string>& arguments, const fs::path& folder) {
+Outcome run_honka(const std::vector<std::string>& arguments, const fs::path& folder,
+                  const std::function<void(int child)>& meanwhile) {
   const std::string program = HONKA_BINARY_DIR "/honka";
   const TemporaryFolder streams;
   const pid_t child = ::fork();
@@ -52,6 +53,7 @@ Outcome run_honka(const std::vector<std::string>& arguments, const fs::path& fol
     if (::chdir(folder.c_str()) != 0) ::_exit(126);
     become(program, arguments);
   }
+  if (meanwhile) meanwhile(child);
   int status = 0;
   REQUIRE(::waitpid(child, &status, 0) == child);
   return {WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status),

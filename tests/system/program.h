@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
@@ -20,9 +21,11 @@ struct Outcome {
   [[nodiscard]] std::vector<std::string> complaints() const;
 };
 
-/// Runs the built honka and waits for it. `folder` is the folder that it works in.
+/// Runs the built honka and waits for it. `folder` is the folder that it works in; `meanwhile` is
+/// called with its process number as soon as it runs.
 [[nodiscard]] Outcome run_honka(const std::vector<std::string>& arguments,
-                                const std::filesystem::path& folder);
+                                const std::filesystem::path& folder,
+                                const std::function<void(int child)>& meanwhile = {});
 
 /// Fails the test unless honka ended with exit code 2 and exactly one line of complaint that holds
 /// every part.
