@@ -23,7 +23,9 @@ constexpr double kLeastRadius_m = 0.02, kMostRadius_m = 0.4;
 struct AxisLine {
   double z_m = 0.0;
   Eigen::Vector2d at_m = Eigen::Vector2d::Zero(), slope = Eigen::Vector2d::Zero();
+  double weight = 0.0;         ///< Σ w
   double height_weight = 0.0;  ///< Σ w (z − z̄)²
+  double share = 0.0;          ///< mean over the arcs
 
   [[nodiscard]] double distance_m(const StemArc& arc) const {
     return (arc.centre_m.head<2>() - at_m - slope * (arc.centre_m.z() - z_m)).norm();
@@ -31,15 +33,18 @@ struct AxisLine {
 };
 
 AxisLine line_through(std::span<const StemArc> arcs) {
-  double weight = 0.0;
+  AxisLine line;
   Eigen::Vector3d mean_m = Eigen::Vector3d::Zero();
   for (const StemArc& arc : arcs) {
     const double w = 1.0 / (arc.sigma_m * arc.sigma_m);
-    weight += w;
+    line.weight += w;
+    line.share += w * arc.share;
     mean_m += w * arc.centre_m;
   }
-  mean_m /= weight;
-  AxisLine line{mean_m.z(), mean_m.head<2>(), Eigen::Vector2d::Zero(), 0.0};
+  mean_m /= line.weight;
+  line.share /= line.weight;
+  line.z_m = mean_m.z();
+  line.at_m = mean_m.head<2>();
   for (const StemArc& arc : arcs) {
     const double w = 1.0 / (arc.sigma_m * arc.sigma_m);
     const Eigen::Vector3d off_m = arc.centre_m - mean_m;
@@ -246,7 +251,10 @@ std::size_t StemPointFinder::fit_axis(std::span<StemArc> arcs, StemSighting& s) 
   const double degrees = 2.0 * static_cast<double>(arcs.size()) - 4.0;
   s.centre_m << line.at_m, line.z_m;
   s.slope = line.slope;
-  s.slope_sigma = std::sqrt(std::max(1.0, chi2 / degrees) / line.height_weight);
+  const double excess = std::max(1.0, chi2 / degrees);
+  s.centre_sigma_m = std::sqrt(excess / line.weight);
+  s.slope_sigma = std::sqrt(excess / line.height_weight);
+  s.share = line.share;
   s.arcs = static_cast<std::uint32_t>(arcs.size());
   return arcs.size();
 }

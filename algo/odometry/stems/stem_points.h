@@ -28,7 +28,9 @@ struct StemSighting {
   std::uint32_t first_arc = 0, arcs = 0;               ///< its arcs, from the top
   Eigen::Vector3d centre_m = Eigen::Vector3d::Zero();  ///< on the axis, amid the arcs
   Eigen::Vector2d slope = Eigen::Vector2d::Zero();     ///< of the axis: x and y per metre of z
+  double centre_sigma_m = 0.0;                         ///< in the plane, of each component
   double slope_sigma = 0.0;                            ///< of each component
+  double share = 0.0;                                  ///< of the revolution that has passed
   double radius_m = 0.0;
   double span_m = 0.0;  ///< height between the lowest and the highest arc
 };
