@@ -7,7 +7,7 @@ namespace {
 
 // What a forest machine may do when nothing is known of its motion yet.
 constexpr double kStartSpeed_m_s = 1.0, kStartTurn_rad_s = 0.3;
-constexpr double kKnown = 1e-3;                       // m and rad: a pose by definition
+constexpr double kStartSigma = 1e-3;                  // m and rad: a pose by definition
 constexpr double kFound_m = 0.5, kFound_rad = 0.035;  // a cell and a step of the search
 
 }  // namespace
@@ -38,7 +38,7 @@ void MotionFilter::forget_velocity() {
 void MotionFilter::start(const Pose3& T_odom_lidar, const Twist& body_velocity) {
   T_odom_lidar_ = T_odom_lidar;
   covariance_.setZero();
-  covariance_.diagonal().head<6>().setConstant(kKnown * kKnown);
+  covariance_.diagonal().head<6>().setConstant(kStartSigma * kStartSigma);
   forget_velocity();
   velocity_ << T_odom_lidar.linear() * body_velocity.head<3>(),
       T_odom_lidar.linear() * body_velocity.tail<3>();

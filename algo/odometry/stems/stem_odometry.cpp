@@ -14,6 +14,7 @@ namespace honka {
 namespace {
 
 constexpr double kUnobservedVariance = 1e3;
+constexpr double kKnown = 1e-3;  // m and rad: a pose by definition
 constexpr double kCoast_s =
     1.0;  // constant velocity is believed this long; then the machine stands
 constexpr double kMostGap_s = 10.0;  // the uncertainty of the prediction grows no further
@@ -50,7 +51,8 @@ StemOdometry::StemOdometry(const LidarModel& model, const StemOdometrySettings& 
       registration_(settings.registration, settings.landmarks, settings.ground),
       motion_(settings.registration.acceleration_m_s2,
               deg_to_rad(settings.registration.turn_acceleration_deg_s2)),
-      key_frames_(key_frames_of(settings.landmarks)) {}
+      key_frames_(key_frames_of(settings.landmarks)),
+      lost_stems_(settings.landmarks) {}
 
 OdometryEstimate StemOdometry::process(const Sweep& sweep) {
   // Time: can the sweep follow the last one?
@@ -118,7 +120,10 @@ StemOdometry::Outcome StemOdometry::judge(const StemFit& fit, OdometryCause caus
   const auto& s = settings_.registration;
   const auto least = static_cast<std::size_t>(s.min_stems);
   if (placed_.sightings.size() < least) return predicted(OdometryCause::kFewFeatures);
-  if (stems_.size() == 0) return outcome;  // the first sweep of a map
+  if (stems_.size() == 0) {  // the first sweep of a map says where the map is
+    outcome.fit.information = Covariance6::Identity() / (kKnown * kKnown);
+    return outcome;
+  }
   if (fit.stems < least || fit.share < s.min_share) return predicted(OdometryCause::kJump);
   if (!fit.at_rest) return predicted(OdometryCause::kNotConverged);
   const Covariance6 covariance = covariance_from(fit.information);
@@ -146,9 +151,7 @@ StemOdometry::Outcome StemOdometry::search(const Outcome& lost, OdometryCause ca
 
 void StemOdometry::accept(const Outcome& outcome) {
   if (outcome.status == OdometryStatus::kPredicted) {
-    if (placed_.sightings.size() >= static_cast<std::size_t>(settings_.registration.min_stems)) {
-      ++lost_sweeps_;
-    }
+    count_lost();
     return;
   }
   lost_sweeps_ = 0;
@@ -156,6 +159,19 @@ void StemOdometry::accept(const Outcome& outcome) {
   if (stems_.size() == 0) return;
   const Covariance6 prior = inverse_of(motion_.pose_covariance());
   motion_.correct(outcome.fit.delta, inverse_of(prior + outcome.fit.information));
+}
+
+void StemOdometry::count_lost() {
+  const auto& s = settings_.registration;
+  if (placed_.sightings.size() < static_cast<std::size_t>(s.min_stems)) return;
+  // Only what stays from sweep to sweep can be a place; noise cannot.
+  const Pose3& T_odom_mid = motion_.T_odom_lidar();
+  std::vector<StemPair> pairs;
+  lost_stems_.associate(placed_.sightings, T_odom_mid, s.gate_m, pairs);
+  const auto seen = static_cast<double>(placed_.sightings.size());
+  lost_sweeps_ = static_cast<double>(pairs.size()) < s.min_share * seen ? 1 : lost_sweeps_ + 1;
+  lost_stems_.clear();
+  lost_stems_.learn(placed_.sightings, T_odom_mid, {});
 }
 
 StemOdometry::Outcome StemOdometry::start_again_in_motion(const Outcome& second, double elapsed_s) {

@@ -48,6 +48,7 @@ class StemOdometry : public Odometry {
   [[nodiscard]] Outcome judge(const StemFit& fit, OdometryCause cause_before) const;
   [[nodiscard]] Outcome search(const Outcome& lost, OdometryCause cause_before);
   void accept(const Outcome& outcome);
+  void count_lost();
   [[nodiscard]] Outcome start_again_in_motion(const Outcome& second, double elapsed_s);
   void learn(const Outcome& outcome);
   void add_to_maps(std::span<const StemPair> pairs);
@@ -73,7 +74,8 @@ class StemOdometry : public Odometry {
   std::optional<Features> first_;  ///< until the second sweep tells how the first moved
   bool started_ = false;
   double coasted_s_ = 0.0;        ///< time since the last registration
-  std::int64_t lost_sweeps_ = 0;  ///< in a row, with stems but no place
+  StemLandmarkMap lost_stems_;    ///< of the last sweep that found no place
+  std::int64_t lost_sweeps_ = 0;  ///< of such sweeps in a row that resemble each other
   OdometryEstimate last_;
 };
 
