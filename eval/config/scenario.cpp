@@ -17,6 +17,8 @@ void describe(SettingsVisitor& v, Scenario& s) {
   v.field({"experiment", "", "what is done; honka help experiments", "choice"}, s.experiment, {});
   v.field({"title", "", "of the report", "choice"}, s.title, {});
   v.field({"question", "", "that the experiment answers", "choice"}, s.question, {});
+  v.field({"beside", "", "results next to these whose first table the report shows too", "choice"},
+          s.beside, {});
   v.field({"seed", "", "of every random number", "choice"}, s.seed, {0, 9007199254740992.0});
   v.field({"trials", "", "stands, each with its own forest and drives", "choice"}, s.trials,
           {1, 1e6});
@@ -31,6 +33,7 @@ void describe(SettingsVisitor& v, Scenario& s) {
   v.group("protocol", [&] { describe(v, s.protocol); });
   v.group("variants", [&] { describe(v, s.variants); });
   v.group("simulate", [&] { describe(v, s.simulate); });
+  v.group("stands", [&] { describe(v, s.stands); });
 }
 
 namespace {

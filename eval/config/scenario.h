@@ -13,6 +13,7 @@
 #include "algo/types/stem.h"
 #include "eval/config/experiment_settings.h"
 #include "eval/config/key_table.h"
+#include "eval/config/stand_settings.h"
 #include "sim/forest/settings.h"
 #include "sim/harvester/vehicle_settings.h"
 #include "sim/lidar/lidar_settings.h"
@@ -24,6 +25,7 @@ struct Scenario {
   std::string experiment = "localization";
   std::string title;
   std::string question;
+  std::string beside;
   std::int64_t seed = 1;
   std::int64_t trials = 3;
   sim::ForestSettings forest;
@@ -37,6 +39,7 @@ struct Scenario {
   ProtocolSettings protocol;
   VariantSettings variants;
   SimulateSettings simulate;
+  StandsSettings stands;
 
   std::optional<StemMap> measured;  ///< what forest.stem_map holds
 };

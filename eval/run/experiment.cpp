@@ -5,6 +5,7 @@
 
 #include "algo/types/user_error.h"
 #include "eval/run/localization_experiment.h"
+#include "eval/run/odometry_experiment.h"
 
 namespace honka::eval {
 
@@ -12,6 +13,8 @@ const std::vector<Experiment>& experiments() {
   static const std::vector<Experiment> kExperiments = {
       {"localization", "Li et al. 2020, Table 1: windows of key frames found in a trunk map",
        run_localization_experiment},
+      {"odometry", "Drift, speed and failures of the lidar odometries, stand by stand",
+       run_odometry_experiment},
   };
   return kExperiments;
 }
