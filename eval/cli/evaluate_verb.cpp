@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "algo/types/user_error.h"
+#include "eval/cli/evaluate_plots.h"
 #include "eval/cli/verbs.h"
 #include "eval/io/kitti.h"
 #include "eval/io/text_table.h"
@@ -158,6 +159,23 @@ void print_text(const nlohmann::ordered_json& json, const TrajectoryErrors& abso
   print_row("RPE rotation (deg)", relative.rotation_deg);
 }
 
+nlohmann::ordered_json evaluation_json(const EvaluateArguments& arguments, const PosePairs& pairs,
+                                       std::size_t true_poses, const TrajectoryErrors& absolute,
+                                       const TrajectoryErrors& relative,
+                                       const RelativeSettings& settings) {
+  nlohmann::ordered_json json;
+  json["align"] = arguments.align;
+  json["associated"] = pairs.poses.size();
+  json["reference_poses"] = true_poses;
+  json["estimate_poses"] = pairs.estimate_times_s.size();
+  json["ape"] = errors_json(absolute);
+  json["rpe"] = {{"delta", settings.delta},
+                 {"unit", unit_name(settings.unit)},
+                 {"pairs", relative.translation_m.size()}};
+  json["rpe"].update(errors_json(relative));
+  return json;
+}
+
 }  // namespace
 
 int evaluate_verb(const EvaluateArguments& arguments) {
@@ -170,22 +188,22 @@ int evaluate_verb(const EvaluateArguments& arguments) {
   const TimedPoses estimate = read_poses(arguments, arguments.estimate);
   const PosePairs pairs = aligned(arguments, associate(arguments, truth, estimate));
   const TrajectoryErrors absolute = absolute_errors(pairs);
-  const TrajectoryErrors relative = relative_errors(pairs, motions(pairs, settings));
+  const std::vector<Motion> chosen = motions(pairs, settings);
+  const TrajectoryErrors relative = relative_errors(pairs, chosen);
 
-  nlohmann::ordered_json json;
-  json["align"] = arguments.align;
-  json["associated"] = pairs.poses.size();
-  json["reference_poses"] = truth.poses.size();
-  json["estimate_poses"] = estimate.poses.size();
-  json["ape"] = errors_json(absolute);
-  json["rpe"] = {{"delta", settings.delta},
-                 {"unit", unit_name(settings.unit)},
-                 {"pairs", relative.translation_m.size()}};
-  json["rpe"].update(errors_json(relative));
+  const auto json =
+      evaluation_json(arguments, pairs, truth.poses.size(), absolute, relative, settings);
+  const std::string pairing = pairing_text(settings, pairs.have_rotations());
   if (arguments.json) {
     fmt::print("{}\n", json.dump());
   } else {
-    print_text(json, absolute, relative, pairing_text(settings, pairs.have_rotations()));
+    print_text(json, absolute, relative, pairing);
+  }
+  if (!arguments.plot.empty()) {
+    plot_evaluation(arguments.plot,
+                    {pairs, absolute, chosen, relative,
+                     fmt::format("alignment {}, {} pairs", arguments.align, pairs.poses.size()),
+                     pairing, !is_kitti(arguments)});
   }
   return 0;
 }

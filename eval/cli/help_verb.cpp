@@ -72,6 +72,7 @@ matches, agreeing, inliers, margin, time_ms; map_ms in the first.
 constexpr const char* kEvaluate =
     R"(honka evaluate TRUTH ESTIMATE [--format tum|kitti] [--align none|origin|yaw|se2|se3|sim3]
                [--max-time-difference 0.02] [--delta 1s|10m|1f] [--all-pairs] [--json]
+               [--plot DIR]
 
 TUM rows pair by time, KITTI rows by number. Rows t x y z alone give no rotation errors.
 --align   none; origin: first poses equal; yaw: turn about z and translation; se2: turn, x and
@@ -83,6 +84,8 @@ RPE       the same between motions over --delta. Seconds: from every pose to the
           displacements' lengths.
 --json    align, associated, reference_poses, estimate_poses, ape, rpe {delta, unit, pairs}; in
           both translation_m, rotation_deg {rmse, mean, median, std, min, max, sse}; std over n.
+--plot    trajectory.svg (from above, aligned), ape.svg and rpe.svg (errors over time) into DIR,
+          each with the NAME.gp and NAME.dat that redraw it.
 )";
 
 void print_experiments() {

@@ -79,6 +79,7 @@ void add_evaluate(CLI::App& app, EvaluateArguments& arguments, Action& action) {
   verb.add_option("--delta", arguments.delta, "of a motion: 1s, 10m, 1f (frames)");
   verb.add_flag("--all-pairs", arguments.all_pairs, "metres, frames: motions from every pose");
   verb.add_flag("--json", arguments.json, "one JSON object");
+  verb.add_option("--plot", arguments.plot, "folder for figures of the trajectories and errors");
   verb.callback([&] { action = [&] { return evaluate_verb(arguments); }; });
 }
 

@@ -49,6 +49,7 @@ struct EvaluateArguments {
   std::optional<std::string> delta;  ///< nothing: 1s, or 1f where the format has no times
   bool all_pairs = false;
   bool json = false;
+  std::filesystem::path plot;  ///< folder of the figures; empty: none
 };
 
 /// Each verb returns the exit code of the program; the user's mistakes come as UserError.
