@@ -36,14 +36,18 @@ LoamFeature axis_of_arc(const Ring& ring, const Run& run, double step_rad) {
   return axis;
 }
 
-void add_edges(const Ring& ring, const Run& run, double step_rad, const LoamFeatureSettings& s,
-               std::vector<LoamFeature>& edges) {
-  if (run.size() < 2 || !run.free_begin || !run.free_end) return;
+/// Whether the run is the arc of a stem.
+bool add_edge(const Ring& ring, const Run& run, double step_rad, const LoamFeatureSettings& s,
+              std::vector<LoamFeature>& edges) {
+  if (run.size() < 2 || !run.free_begin || !run.free_end) return false;
   const double width_m = ring[run.begin].range_m * step_rad * static_cast<double>(run.size());
-  if (width_m > s.most_edge_width_m) return;
+  if (width_m > s.most_edge_width_m) return false;
   const LoamFeature axis = axis_of_arc(ring, run, step_rad);
-  if (axis.range_m < s.min_range_m || axis.range_m > s.max_range_m) return;
-  if (axis.curvature >= s.edge_curvature) edges.push_back(axis);
+  if (axis.range_m < s.min_range_m || axis.range_m > s.max_range_m) return false;
+  // With nothing behind, there is no point that could curve the ring.
+  if (!run.alone && axis.curvature < s.edge_curvature) return false;
+  edges.push_back(axis);
+  return true;
 }
 
 struct PlaneCandidate {
@@ -103,10 +107,12 @@ LoamFeatures extract_loam_features(const Sweep& sweep, const LidarModel& model,
   const double step_rad = azimuth_step_rad(model);
   LoamFeatures features;
   std::vector<PlaneCandidate> candidates;
-  for (const Ring& ring : rings_of(sweep, model)) {
+  const Rings rings = rings_of(sweep, model);
+  for (const Ring& ring : rings.of_laser) {
     candidates.clear();
-    for (const Run& run : runs_of(ring, settings.depth_step_m)) {
-      add_edges(ring, run, step_rad, settings, features.edges);
+    for (const Run& run :
+         runs_of(ring, settings.depth_step_m, rings.first_firing, rings.last_firing)) {
+      if (add_edge(ring, run, step_rad, settings, features.edges)) continue;
       add_plane_candidates(ring, run, settings, candidates);
     }
     pick_planes(ring, candidates, settings, features.planes);

@@ -140,11 +140,12 @@ void LoamOdometry::map_key_frame(const LoamFeatures& features, LoamRegistration&
 /// The state for the next sweep.
 void LoamOdometry::carry_on(const LoamFeatures& features, const LoamRegistration& found,
                             Judgement judgement) {
-  constexpr std::int64_t kMostLost = 5;  // then what is seen is the map to go on with
-  constexpr double kMemory = 0.05;       // of the usual share: twenty sweeps
+  constexpr std::int64_t kMostLost = 5;      // then what is seen is the map to go on with
+  constexpr std::int64_t kMostCoasted = 10;  // a second, as over a gap
+  constexpr double kMemory = 0.05;           // of the usual share: twenty sweeps
   if (judgement.status == OdometryStatus::kPredicted) {
     motion_.T_odom_last = motion_.predicted();
-    ++lost_sweeps_;
+    if (++lost_sweeps_ >= kMostCoasted) motion_.last_twist.setZero();
     const bool seen = features.edges.size() + features.planes.size() >= kLeastMatches;
     if (seen && lost_sweeps_ >= kMostLost) {
       map_.add(features, DeskewedFeatures(features, motion_.last_twist), motion_.T_odom_last,

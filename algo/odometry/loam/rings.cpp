@@ -29,27 +29,30 @@ double azimuth_step_rad(const LidarModel& model) {
   return 2.0 * kPi * model.rotation_rate_hz * model.firing_period_s;
 }
 
-std::vector<Ring> rings_of(const Sweep& sweep, const LidarModel& model) {
+Rings rings_of(const Sweep& sweep, const LidarModel& model) {
   const std::vector<RingBeam> beams = ring_beams(model);
-  std::vector<Ring> rings(beams.size());
-  for (Ring& ring : rings) ring.reserve(sweep.returns.size() / beams.size() + 64);
+  Rings rings;
+  rings.of_laser.resize(beams.size());
+  for (Ring& ring : rings.of_laser) ring.reserve(sweep.returns.size() / beams.size() + 64);
   const double longest_s = 1.5 * model.sweep_period_s();
   const double step_rad = azimuth_step_rad(model);
   std::int32_t firing = -1;
   double cosine = 1.0, sine = 0.0;
   for (const Return& r : sweep.returns) {
     const double time_s = 1e-9 * r.time_offset_ns;
-    if (r.range_ticks == 0 || r.laser >= beams.size() || r.echo != 0 || time_s > longest_s) {
-      continue;
-    }
+    if (r.laser >= beams.size() || r.echo != 0 || time_s > longest_s) continue;
     const auto now = static_cast<std::int32_t>(
         std::floor((time_s - model.lasers[r.laser].firing_offset_s) / model.firing_period_s + 0.5));
+    if (rings.last_firing < rings.first_firing) rings.first_firing = rings.last_firing = now;
+    rings.first_firing = std::min(rings.first_firing, now);
+    rings.last_firing = std::max(rings.last_firing, now);
+    if (r.range_ticks == 0) continue;
     if (now != firing) {  // one sine for the 16 lasers of a firing
       firing = now;
       cosine = std::cos(sweep.start_azimuth_rad + step_rad * firing);
       sine = std::sin(sweep.start_azimuth_rad + step_rad * firing);
     }
-    Ring& ring = rings[r.laser];
+    Ring& ring = rings.of_laser[r.laser];
     if (!ring.empty() && ring.back().firing >= firing) continue;
     const RingBeam& beam = beams[r.laser];
     const double range_m = model.range_resolution_m * r.range_ticks;
@@ -64,23 +67,25 @@ std::vector<Ring> rings_of(const Sweep& sweep, const LidarModel& model) {
   return rings;
 }
 
-std::vector<Run> runs_of(const Ring& ring, double depth_step_m) {
-  // One lost shot does not end a surface.
-  constexpr std::int32_t kMostFirings = 2;
+std::vector<Run> runs_of(const Ring& ring, double depth_step_m, std::int32_t first_firing,
+                         std::int32_t last_firing) {
+  constexpr std::int32_t kMostFirings = 2;  // one lost shot does not end a surface
   std::vector<Run> runs;
-  for (std::size_t i = 0; i < ring.size(); ++i) {
-    const bool gap = i == 0 || ring[i].firing - ring[i - 1].firing > kMostFirings;
-    const double step_m = gap ? 0.0 : ring[i].range_m - ring[i - 1].range_m;
-    if (gap || std::abs(step_m) > depth_step_m) {
-      if (!runs.empty()) {
-        runs.back().end = i;
-        runs.back().free_end = gap || step_m > 0.0;
-      }
-      runs.push_back({i, ring.size(), gap || step_m < 0.0, false});
-    }
+  if (ring.empty()) return runs;
+  const bool free_first = ring.front().firing - first_firing >= kMostFirings;
+  const bool free_last = last_firing - ring.back().firing >= kMostFirings;
+  runs.push_back({0, ring.size(), free_first, free_last, free_first});
+  for (std::size_t i = 1; i < ring.size(); ++i) {
+    const bool gap = ring[i].firing - ring[i - 1].firing > kMostFirings;
+    const double step_m = ring[i].range_m - ring[i - 1].range_m;
+    if (!gap && std::abs(step_m) <= depth_step_m) continue;
+    Run& before = runs.back();
+    before.end = i;
+    before.free_end = gap || step_m > 0.0;
+    before.alone = before.alone || gap;
+    runs.push_back({i, ring.size(), gap || step_m < 0.0, free_last, gap});
   }
-  // What lies beyond the field of view is not known.
-  if (!runs.empty()) runs.front().free_begin = false;
+  runs.back().alone = runs.back().alone || free_last;
   return runs;
 }
 
