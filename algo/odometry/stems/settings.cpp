@@ -81,7 +81,8 @@ void describe(SettingsVisitor& v, StemLandmarkSettings& s) {
   v.field({"sigma_m", "m", "least s.d. of a stem's place against its landmark",
            "choice: bark, taper and the side it is seen from"},
           s.sigma_m, {0.0001, 1.0});
-  v.field({"slope_sigma_deg", "deg", "the same for the direction of its axis", "choice"},
+  v.field({"slope_sigma_deg", "deg", "the same for the direction of its axis",
+           "choice: stems are crooked"},
           s.slope_sigma_deg, {0.001, 45.0});
   v.field({"confirm", "", "a landmark seen less often is forgotten", "choice"}, s.confirm,
           {1, 1000});
