@@ -49,6 +49,10 @@ void describe(SettingsVisitor& v, MapSettings& s) {
   v.field({"strip_road_spacing_m", "m", "between the strip roads that the prior run drives",
            "choice: 1,200 m through 200 x 300 m, the preprint's trail"},
           s.strip_road_spacing_m, {10, 500});
+  v.field({"thinned_to_per_ha", "1/ha",
+           "stems that a thinning between the prior run and the localized one leaves; 0: none",
+           "choice: a forwarder follows a harvester"},
+          s.thinned_to_per_ha, {0, 20000});
   v.group("stems", [&] { describe(v, s.stems); });
   v.group("prior_run", [&] { describe(v, s.prior_run); });
 }

@@ -36,6 +36,7 @@ void describe(SettingsVisitor& v, OdometrySettings& s);
 struct MapSettings {
   std::string source = "prior_run";
   double strip_road_spacing_m = 50.0;
+  double thinned_to_per_ha = 0.0;
   StemSettings stems = map_stems();
   sim::VehicleSettings prior_run = prior_vehicle();
 

@@ -92,6 +92,34 @@ Summary summary_from(const Json& json) {
   return summary;
 }
 
+/// The text of a key of the resolved scenario; empty where it has none.
+std::string scenario_text_of(const Summary& summary, const std::string& key) {
+  const auto value = summary.scenario.find(key);
+  return value != summary.scenario.end() && value->is_string() ? value->get<std::string>() : "";
+}
+
+/// The folder of results next to this one that the scenario's key `beside` names, if it is there.
+std::optional<std::filesystem::path> folder_beside(const std::filesystem::path& folder,
+                                                   const Summary& summary) {
+  const std::string name = scenario_text_of(summary, "beside");
+  const auto other = folder.parent_path() / name;
+  if (name.empty() || !std::filesystem::exists(other / "summary.json")) return std::nullopt;
+  return other;
+}
+
+/// The first table of other results, with what sets them apart.
+ReportTable table_of(const std::filesystem::path& folder) {
+  const Summary summary = read_summary(folder / "summary.json");
+  ReportTable table;
+  if (!summary.report.tables.empty()) table = summary.report.tables.front();
+  table.title = "Beside: " + summary.report.title;
+  table.protocol =
+      "odometry: " + scenario_text_of(summary, "odometry.source") + "; " + table.protocol;
+  table.notes.push_back("From " + folder.filename().string() + ", digest " +
+                        summary.results_digest);
+  return table;
+}
+
 }  // namespace
 
 void write_summary(const std::filesystem::path& path, const Summary& summary) {
@@ -116,7 +144,18 @@ Summary read_summary(const std::filesystem::path& path) {
 }
 
 void rebuild_report(const std::filesystem::path& folder) {
-  write_html_report(folder, read_summary(folder / "summary.json").report);
+  Summary summary = read_summary(folder / "summary.json");
+  const auto other = folder_beside(folder, summary);
+  if (other) {
+    const auto& tables = summary.report.tables;
+    summary.report.tables.insert(tables.begin() + (tables.empty() ? 0 : 1), table_of(*other));
+  }
+  write_html_report(folder, summary.report);
+}
+
+void rebuild_report_beside(const std::filesystem::path& folder) {
+  const auto other = folder_beside(folder, read_summary(folder / "summary.json"));
+  if (other) rebuild_report(*other);
 }
 
 }  // namespace honka::eval

@@ -53,7 +53,13 @@ void write_summary(const std::filesystem::path& path, const Summary& summary);
 /// mistypes a key.
 [[nodiscard]] Summary read_summary(const std::filesystem::path& path);
 
-/// Makes folder/report.html again from folder/summary.json and folder/figures/. UserError as above.
+/// Makes folder/report.html again from folder/summary.json and folder/figures/, with the first table
+/// of the results that the scenario's key `beside` names, where these lie next to the folder.
+/// UserError as above.
 void rebuild_report(const std::filesystem::path& folder);
+
+/// The same for the results beside `folder`, where there are any: their report then shows the new
+/// rows of this one.
+void rebuild_report_beside(const std::filesystem::path& folder);
 
 }  // namespace honka::eval

@@ -1,59 +1,141 @@
 #include "eval/run/drive.h"
 
+#include <deque>
+#include <set>
+
 #include "algo/odometry/key_frames.h"
-#include "eval/run/truth_noise_odometry.h"
+#include "eval/metrics/trajectory_alignment.h"
+#include "eval/run/make_odometry.h"
+#include "eval/run/odometry_drive.h"
 
 namespace honka::eval {
 namespace {
 
-KeyFrame make_key_frame(std::int64_t first_sweep, std::int64_t sweeps, double period_s,
-                        const sim::Vehicle& vehicle, const TruthNoiseOdometry& odometry) {
-  KeyFrame key_frame;
-  key_frame.time_s = period_s * static_cast<double>(first_sweep);
-  key_frame.travelled_m = vehicle.travelled_m(key_frame.time_s);
-  key_frame.T_odom_lidar = odometry.T_odom_lidar(first_sweep, key_frame.time_s);
-  key_frame.T_world_lidar = vehicle.trajectory().T_world_lidar(key_frame.time_s);
-  for (std::int64_t k = first_sweep; k < first_sweep + sweeps; ++k) {
-    const double start_s = period_s * static_cast<double>(k);
-    key_frame.sweeps.push_back(
-        {k, odometry.T_odom_lidar(k, start_s), odometry.T_odom_lidar(k, start_s + period_s)});
+/// Gathers the sweeps of key frames from the estimates of a drive, in the order of time.
+class KeyFrameBuilder {
+ public:
+  KeyFrameBuilder(const KeyFrameSettings& settings, const sim::Vehicle& vehicle, TakeKeyFrame take)
+      : sweeps_(static_cast<std::size_t>(settings.sweeps)),
+        vehicle_(vehicle),
+        selector_(settings),
+        take_(std::move(take)) {}
+
+  /// `sweep` may be null where scans are not at hand.
+  void add(const OdometryEstimate& estimate, const sim::TruthfulSweep* sweep) {
+    const bool registered = estimate.status == OdometryStatus::kRegistered ||
+                            estimate.status == OdometryStatus::kDegenerate;
+    if (!registered) return;
+    if (selector_.is_key_frame(estimate.T_odom_start)) open_.push_back(begin(estimate));
+    for (Open& open : open_) {
+      open.key_frame.sweeps.push_back({estimate.sweep, estimate.T_odom_start, estimate.T_odom_end});
+      if (sweep != nullptr) open.scans.push_back(*sweep);
+    }
+    while (!open_.empty() && open_.front().key_frame.sweeps.size() == sweeps_) {
+      take_(open_.front().key_frame, std::move(open_.front().scans));
+      open_.pop_front();
+    }
   }
-  return key_frame;
+
+ private:
+  struct Open {
+    KeyFrame key_frame;
+    std::vector<sim::TruthfulSweep> scans;
+  };
+
+  [[nodiscard]] Open begin(const OdometryEstimate& estimate) const {
+    KeyFrame key_frame;
+    key_frame.time_s = estimate.start_time_s;
+    key_frame.travelled_m = vehicle_.travelled_m(estimate.start_time_s);
+    key_frame.T_odom_lidar = estimate.T_odom_start;
+    key_frame.T_world_lidar = vehicle_.trajectory().T_world_lidar(estimate.start_time_s);
+    return {key_frame, {}};
+  }
+
+  std::size_t sweeps_;
+  const sim::Vehicle& vehicle_;
+  KeyFrameSelector selector_;
+  TakeKeyFrame take_;
+  std::deque<Open> open_;
+};
+
+OdometryTrack poses_alone(Odometry& odometry, const LidarModel& model, std::int64_t sweeps) {
+  OdometryTrack track;
+  for (std::int64_t k = 0; k < sweeps; ++k) track.add(odometry.process(empty_sweep(model, k)));
+  return track;
+}
+
+std::vector<std::int64_t> sweeps_of_key_frames(const OdometryTrack& track,
+                                               const KeyFrameSettings& settings,
+                                               const sim::Vehicle& vehicle) {
+  std::set<std::int64_t> wanted;
+  KeyFrameBuilder builder(settings, vehicle, [&](const KeyFrame& key_frame, auto&&) {
+    for (const FrameSweep& sweep : key_frame.sweeps) wanted.insert(sweep.index);
+  });
+  for (const OdometryEstimate& estimate : track.estimates()) builder.add(estimate, nullptr);
+  return {wanted.begin(), wanted.end()};
+}
+
+/// Casts what key frames need, once their poses are known.
+void scan_key_frames(const Drive& drive, const sim::LidarSimulator& lidar,
+                     const KeyFrameSettings& settings, const std::string& what, int threads,
+                     KeyFrameBuilder& builder) {
+  const auto wanted = sweeps_of_key_frames(drive.track, settings, *drive.vehicle);
+  Progress progress(what, "sweeps", static_cast<std::int64_t>(wanted.size()));
+  auto next = drive.track.estimates().begin();
+  stream_sweeps(*drive.vehicle, lidar, wanted, threads, progress, [&](sim::TruthfulSweep&& sweep) {
+    while (next->sweep < sweep.sweep.index) builder.add(*next++, nullptr);
+    builder.add(*next++, &sweep);
+  });
+}
+
+Pose3 laid_onto_world(const std::vector<KeyFrame>& key_frames) {
+  PosePairs pairs;
+  for (const KeyFrame& key_frame : key_frames) {
+    pairs.poses.push_back({key_frame.time_s, key_frame.T_world_lidar, key_frame.T_odom_lidar});
+  }
+  const AlignmentResult fitted = align(pairs, Alignment::kYaw);
+  if (fitted.status == AlignmentStatus::kAligned) return fitted.T_truth_estimate.rigid;
+  return align(pairs, Alignment::kOrigin).T_truth_estimate.rigid;  // a machine that never moved
 }
 
 }  // namespace
 
-Drive make_drive(const std::string& name, const sim::Polyline& path,
-                 const sim::VehicleSettings& vehicle, const Scenario& scenario,
-                 const TrialWorld& world) {
-  const std::uint64_t seed = derive_seed(world.seed, name);
-  Drive drive;
-  drive.vehicle = std::make_unique<sim::Vehicle>(path, world.stand.terrain, vehicle, seed);
-  const sim::Trajectory& truth = drive.vehicle->trajectory();
-  const double period_s = world.lidar->model().sweep_period_s();
-  const auto sweeps = static_cast<std::int64_t>(truth.duration_s() / period_s);
-  const TruthNoiseOdometry odometry(truth, period_s, sweeps, scenario.odometry, seed);
-  KeyFrameSelector selector(scenario.frame);
-  for (std::int64_t k = 0; k + scenario.frame.sweeps <= sweeps; ++k) {
-    const double time_s = period_s * static_cast<double>(k);
-    if (selector.is_key_frame(odometry.T_odom_lidar(k, time_s))) {
-      drive.key_frames.push_back(
-          make_key_frame(k, scenario.frame.sweeps, period_s, *drive.vehicle, odometry));
-    }
-  }
-  return drive;
+DriveOrder prior_drive(const Scenario& scenario, const TrialWorld& world) {
+  return {"prior", &world.prior_path, &scenario.map.prior_run, &world.when_mapped()};
 }
 
-std::vector<sim::TruthfulSweep> cast_key_frame(const sim::LidarSimulator& lidar, const Drive& drive,
-                                               std::size_t key_frame) {
-  const double period_s = lidar.model().sweep_period_s();
-  std::vector<sim::TruthfulSweep> sweeps;
-  for (const FrameSweep& sweep : drive.key_frames[key_frame].sweeps) {
-    const double middle_s = period_s * (static_cast<double>(sweep.index) + 0.5);
-    const auto occluders = drive.vehicle->occluders_in_lidar(middle_s);
-    sweeps.push_back(lidar.cast(drive.vehicle->trajectory(), sweep.index, occluders));
+DriveOrder work_drive(const Scenario& scenario, const TrialWorld& world) {
+  return {"work", &world.work_path, &scenario.harvester, &world};
+}
+
+std::unique_ptr<sim::Vehicle> make_vehicle(const DriveOrder& order, std::uint64_t seed) {
+  return std::make_unique<sim::Vehicle>(*order.path, order.stand->stand.terrain, *order.vehicle,
+                                        derive_seed(seed, order.name));
+}
+
+Drive drive_and_scan(const DriveOrder& order, const Scenario& scenario, std::uint64_t seed,
+                     const std::string& what, int threads, const TakeKeyFrame& take) {
+  Drive drive;
+  drive.vehicle = make_vehicle(order, seed);
+  const sim::LidarSimulator& lidar = *order.stand->lidar;
+  const std::int64_t sweeps = sweeps_of(*drive.vehicle, lidar.model());
+  const auto odometry = make_odometry(scenario.odometry, drive.vehicle->trajectory(), lidar.model(),
+                                      sweeps, derive_seed(seed, order.name));
+  KeyFrameBuilder builder(scenario.frame, *drive.vehicle,
+                          [&](const KeyFrame& key_frame, auto&& scans) {
+                            drive.key_frames.push_back(key_frame);
+                            take(key_frame, std::move(scans));
+                          });
+  if (!odometry->needs_returns()) {
+    drive.track = poses_alone(*odometry, lidar.model(), sweeps);
+    scan_key_frames(drive, lidar, scenario.frame, what, threads, builder);
+    return drive;
   }
-  return sweeps;
+  Progress progress(what, "sweeps", sweeps);
+  drive.track = drive_with_odometry(*drive.vehicle, lidar, *odometry, threads, progress,
+                                    [&](DriveSweep&& s) { builder.add(s.estimate, &s.sweep); });
+  drive.T_world_odom = laid_onto_world(drive.key_frames);
+  return drive;
 }
 
 std::vector<PosedSweep> posed(const KeyFrame& key_frame, const std::vector<Sweep>& sweeps) {

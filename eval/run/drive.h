@@ -1,10 +1,13 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <memory>
+#include <string>
 #include <vector>
 
 #include "algo/odometry/aggregate.h"
+#include "algo/odometry/track.h"
 #include "eval/config/scenario.h"
 #include "eval/run/trial_world.h"
 #include "sim/harvester/vehicle.h"
@@ -28,22 +31,42 @@ struct KeyFrame {
   Pose3 T_world_lidar = Pose3::Identity();  ///< truth at time_s
 };
 
-/// A vehicle's drive and its key frames.
+/// A vehicle's drive and what its odometry made of it.
 struct Drive {
   std::unique_ptr<sim::Vehicle> vehicle;
+  OdometryTrack track;  ///< every sweep
   std::vector<KeyFrame> key_frames;
+  /// Lays the odometry's frame onto the world, for the metrics alone: yaw and translation that
+  /// bring its key frames nearest to the truth. The identity for truth+noise, whose frame is the
+  /// world but for its errors.
+  Pose3 T_world_odom = Pose3::Identity();
 };
 
-/// Drives a path and picks the key frames by its odometry. `name` tells the random streams of two
-/// drives apart.
-[[nodiscard]] Drive make_drive(const std::string& name, const sim::Polyline& path,
-                               const sim::VehicleSettings& vehicle, const Scenario& scenario,
-                               const TrialWorld& world);
+/// Which drive: `name` tells its random streams from those of another.
+struct DriveOrder {
+  std::string name;
+  const sim::Polyline* path = nullptr;
+  const sim::VehicleSettings* vehicle = nullptr;
+  const SeenStand* stand = nullptr;
+};
 
-/// Casts the sweeps of a key frame, with their truth.
-[[nodiscard]] std::vector<sim::TruthfulSweep> cast_key_frame(const sim::LidarSimulator& lidar,
-                                                             const Drive& drive,
-                                                             std::size_t key_frame);
+/// The prior run's and the localized run's.
+[[nodiscard]] DriveOrder prior_drive(const Scenario& scenario, const TrialWorld& world);
+[[nodiscard]] DriveOrder work_drive(const Scenario& scenario, const TrialWorld& world);
+
+/// The vehicle of a drive alone; `seed` is the trial's.
+[[nodiscard]] std::unique_ptr<sim::Vehicle> make_vehicle(const DriveOrder& order,
+                                                         std::uint64_t seed);
+
+/// Takes each key frame in the order of the drive, with its sweeps and their truth.
+using TakeKeyFrame = std::function<void(const KeyFrame&, std::vector<sim::TruthfulSweep>&&)>;
+
+/// Drives a path with the scenario's odometry. A lidar odometry gets every sweep as it is cast;
+/// truth+noise needs none, so the sweeps of key frames alone are cast. Sweeps that could not be
+/// registered are in no key frame. `what` leads the line of progress.
+[[nodiscard]] Drive drive_and_scan(const DriveOrder& order, const Scenario& scenario,
+                                   std::uint64_t seed, const std::string& what, int threads,
+                                   const TakeKeyFrame& take);
 
 /// The sweeps of a key frame with their poses; points into `sweeps`.
 [[nodiscard]] std::vector<PosedSweep> posed(const KeyFrame& key_frame,

@@ -12,7 +12,7 @@ namespace {
 std::vector<Eigen::Vector2d> track_of(const Drive& drive) {
   std::vector<Eigen::Vector2d> track;
   for (const KeyFrame& key_frame : drive.key_frames) {
-    track.push_back(key_frame.T_odom_lidar.translation().head<2>());
+    track.push_back((drive.T_world_odom * key_frame.T_odom_lidar).translation().head<2>());
   }
   return track;
 }

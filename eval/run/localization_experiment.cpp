@@ -52,6 +52,15 @@ Results run_trials(const RunRequest& request, const std::filesystem::path& figur
 
 std::vector<std::string> lead_notes(const Scenario& scenario) {
   const OdometrySettings& o = scenario.odometry;
+  if (o.source != "truth+noise") {
+    return {fmt::format(
+                "Odometry is {}: every pose comes from the scans. Key frames, windows and maps rest "
+                "on it alone.",
+                o.source),
+            "For the metrics the odometry's frame is laid onto the world by the yaw and the "
+            "translation that bring its key frames nearest to the truth; truth enters nowhere "
+            "else."};
+  }
   return {
       fmt::format(
           "Odometry is {}: poses of key frames are the truth with a drift of {} m and {}° (s.d., "
@@ -134,6 +143,7 @@ RunOutcome run_localization_experiment(const RunRequest& request) {
   write_summary(folder.path() / "summary.json", summary);
   rebuild_report(folder.path());
   folder.commit();
+  rebuild_report_beside(request.out);
   return {console_table(summary.report.tables.front()), request.out, summary.results_digest};
 }
 

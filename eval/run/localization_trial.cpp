@@ -8,85 +8,76 @@
 namespace honka::eval {
 namespace {
 
-/// What one key frame yields: its scans, their points in the map frame, and where they fell.
-struct MappedKeyFrame {
-  std::vector<Sweep> scans;
-  LocalCloud points_in_map;
-  ScanStatistics statistics;
-};
-
-MappedKeyFrame map_key_frame(const TrialWorld& world, const Drive& drive, std::size_t key_frame,
-                             const KeyFrameSettings& mapping) {
-  MappedKeyFrame mapped;
-  auto sweeps = cast_key_frame(*world.lidar, drive, key_frame);
-  mapped.statistics.add(sweeps);
-  mapped.scans = scans_of(std::move(sweeps));
-  mapped.points_in_map = aggregate(posed(drive.key_frames[key_frame], mapped.scans),
-                                   world.lidar->model(), mapping, Pose3::Identity());
-  return mapped;
-}
-
+/// A run as the machine that drove it remembers it.
 struct MappedRun {
-  LocalCloud cloud;
-  std::vector<std::vector<Sweep>> scans;  ///< kept where asked for
+  Drive drive;
+  LocalCloud cloud_in_odom;               ///< of every key frame, thinned
+  std::vector<std::vector<Sweep>> scans;  ///< one entry a key frame, where asked for
   ScanStatistics statistics;
 };
 
-/// Casts a drive's key frames into a map cloud, and keeps the scans if `keep_scans`. Rays are cast
-/// in parallel while the map grows in the order of the drive.
-MappedRun scan_run(const Scenario& scenario, const TrialWorld& world, const Drive& drive,
-                   const std::string& what, int threads, bool keep_scans) {
-  const std::size_t count = drive.key_frames.size();
-  Progress progress(what, "key frames", static_cast<std::int64_t>(count));
+/// Drives, and gathers a map cloud while the sweeps come; keeps the scans if `keep_scans`.
+MappedRun map_run(const DriveOrder& order, const Scenario& scenario, std::uint64_t seed,
+                  const std::string& what, int threads, bool keep_scans) {
   KeyFrameSettings mapping = scenario.frame;
   mapping.max_range_m = scenario.map.stems.max_range_m;
   CloudMap map(scenario.map.stems.voxel_m);
   MappedRun run;
-#pragma omp parallel for ordered schedule(dynamic) num_threads(threads)
-  for (std::size_t k = 0; k < count; ++k) {
-    MappedKeyFrame mapped = map_key_frame(world, drive, k, mapping);
-#pragma omp ordered
-    {
-      run.statistics.merge(mapped.statistics);
-      map.add(mapped.points_in_map);
-      if (keep_scans) run.scans.push_back(std::move(mapped.scans));
-      progress.advance();
-    }
-  }
-  run.cloud = map.cloud();
+  const auto gather = [&](const KeyFrame& key_frame, std::vector<sim::TruthfulSweep>&& sweeps) {
+    run.statistics.add(sweeps);
+    std::vector<Sweep> scans = scans_of(std::move(sweeps));
+    map.add(aggregate(posed(key_frame, scans), order.stand->lidar->model(), mapping,
+                      Pose3::Identity()));
+    if (keep_scans) run.scans.push_back(std::move(scans));
+  };
+  run.drive = drive_and_scan(order, scenario, seed, what, threads, gather);
+  run.cloud_in_odom = map.cloud();
   return run;
 }
 
 /// A trunk map that some variant asks for, before it is made.
 struct MapOrder {
   std::string source;
-  const LocalCloud* cloud = nullptr;
+  const MappedRun* run = nullptr;
   StemSettings settings;
 };
 
 /// Every trunk map that a variant asks for, the default's first.
-std::vector<TrunkMap> make_maps(const Scenario& scenario, const LocalCloud& prior_cloud,
-                                const LocalCloud& work_cloud, std::int64_t trial, int threads) {
+std::vector<TrunkMap> make_maps(const Scenario& scenario, const MappedRun& prior_run,
+                                const MappedRun& work_run, std::int64_t trial, int threads) {
   StemSettings settings = scenario.map.stems;
   settings.voxel_m = 0.0;  // the clouds are thinned already
   const bool prior = scenario.map.source == "prior_run";
-  const LocalCloud& cloud = prior ? prior_cloud : work_cloud;
-  std::vector<MapOrder> orders = {{scenario.map.source, &cloud, settings}};
+  const MappedRun& run = prior ? prior_run : work_run;
+  std::vector<MapOrder> orders = {{scenario.map.source, &run, settings}};
   if (scenario.variants.repaired) {
-    orders.push_back({scenario.map.source, &cloud, repaired(settings, "circle_fit")});
+    orders.push_back({scenario.map.source, &run, repaired(settings, "circle_fit")});
   }
-  if (scenario.variants.same_run && prior) orders.push_back({"same_run", &work_cloud, settings});
+  if (scenario.variants.same_run && prior) orders.push_back({"same_run", &work_run, settings});
 
   Progress progress(fmt::format("stand {}: trunk maps", trial), "maps",
                     static_cast<std::int64_t>(orders.size()));
   std::vector<TrunkMap> maps(orders.size());
 #pragma omp parallel for schedule(dynamic) num_threads(threads)
   for (std::size_t i = 0; i < orders.size(); ++i) {
-    maps[i] = make_trunk_map(orders[i].source, *orders[i].cloud, orders[i].settings);
+    maps[i] = make_trunk_map(orders[i].source, orders[i].run->cloud_in_odom, orders[i].settings,
+                             planar(orders[i].run->drive.T_world_odom));
 #pragma omp critical
     progress.advance();
   }
   return maps;
+}
+
+/// Hands the runs over; the map's cloud is laid onto the world.
+void keep_for_figures(TrialExhibit& exhibit, MappedRun prior, MappedRun work) {
+  const bool by_prior = prior.drive.vehicle != nullptr;
+  exhibit.map_cloud = std::move(by_prior ? prior.cloud_in_odom : work.cloud_in_odom);
+  const Pose3 T_world_odom = (by_prior ? prior : work).drive.T_world_odom;
+  for (Eigen::Vector3d& point : exhibit.map_cloud.points_m) point = T_world_odom * point;
+  exhibit.scan_statistics = work.statistics;
+  exhibit.prior = std::move(prior.drive);
+  exhibit.work = std::move(work.drive);
+  exhibit.scans = {&exhibit.work, &exhibit.world.lidar->model(), std::move(work.scans)};
 }
 
 std::vector<LocalizationRow> localize_all(const Scenario& scenario, const TrialExhibit& exhibit,
@@ -112,32 +103,30 @@ std::vector<LocalizationRow> localize_all(const Scenario& scenario, const TrialE
 LocalizationTrial run_localization_trial(const Scenario& scenario, std::int64_t trial, int threads,
                                          bool with_exhibit) {
   auto exhibit = std::make_unique<TrialExhibit>();
-  // World and drives
+  // World
   exhibit->world = make_trial_world(scenario, trial);
   const TrialWorld& world = exhibit->world;
-  const bool prior_run = scenario.map.source == "prior_run";
-  exhibit->work = make_drive("work", world.work_path, scenario.harvester, scenario, world);
-  if (prior_run) {
-    exhibit->prior = make_drive("prior", world.prior_path, scenario.map.prior_run, scenario, world);
+  // Runs
+  const std::string stand = fmt::format("stand {}: ", trial);
+  MappedRun prior;
+  if (scenario.map.source == "prior_run") {
+    prior = map_run(prior_drive(scenario, world), scenario, world.seed, stand + "prior run",
+                    threads, false);
   }
-  // Scans
-  MappedRun prior = scan_run(scenario, world, exhibit->prior,
-                             fmt::format("stand {}: prior run", trial), threads, false);
-  MappedRun work = scan_run(scenario, world, exhibit->work,
-                            fmt::format("stand {}: localized run", trial), threads, true);
-  exhibit->scans = {&exhibit->work, &world.lidar->model(), std::move(work.scans)};
+  MappedRun work = map_run(work_drive(scenario, world), scenario, world.seed,
+                           stand + "localized run", threads, true);
   // Maps and matchers
-  exhibit->maps = make_maps(scenario, prior.cloud, work.cloud, trial, threads);
+  exhibit->maps = make_maps(scenario, prior, work, trial, threads);
   exhibit->variants = make_variants(scenario, exhibit->maps);
-  exhibit->map_cloud = std::move(prior_run ? prior.cloud : work.cloud);
+  keep_for_figures(*exhibit, std::move(prior), std::move(work));
   // Localization
   exhibit->windows = disjoint_windows(exhibit->work.key_frames.size(), scenario.protocol);
   const StemMap truth = true_stems(world.stand);
   const auto rows = localize_all(scenario, *exhibit, truth, trial, threads);
 
-  LocalizationTrial result{trial_table(), localization_table(), work.statistics, nullptr};
+  LocalizationTrial result{trial_table(), localization_table(), nullptr};
   for (const LocalizationRow& row : rows) append(result.frames, row);
-  append_trial(result.trials, trial, *exhibit, work.statistics, truth, scenario);
+  append_trial(result.trials, trial, *exhibit, scenario);
   if (with_exhibit) result.exhibit = std::move(exhibit);
   return result;
 }

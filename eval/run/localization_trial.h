@@ -16,7 +16,8 @@ struct TrialExhibit {
   TrialWorld world;
   Drive prior, work;
   ScannedRun scans;
-  LocalCloud map_cloud;
+  ScanStatistics scan_statistics;  ///< of the localized run
+  LocalCloud map_cloud;            ///< of the default map's run, laid onto the world
   std::vector<TrunkMap> maps;
   std::vector<Variant> variants;
   std::vector<Window> windows;
@@ -25,7 +26,6 @@ struct TrialExhibit {
 /// Rows of one trial: one for /trials, one a localization for /frames.
 struct LocalizationTrial {
   Table trials, frames;
-  ScanStatistics scan_statistics;
   std::unique_ptr<TrialExhibit> exhibit;  ///< where it was asked for
 };
 

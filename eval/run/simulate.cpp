@@ -4,11 +4,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 #include "algo/types/user_error.h"
 #include "eval/io/context.h"
 #include "eval/io/recording.h"
 #include "eval/run/drive.h"
+#include "eval/run/odometry_drive.h"
 #include "eval/run/progress.h"
 #include "eval/run/trial_world.h"
 
@@ -35,10 +37,10 @@ SweepRange sweep_range(const ResolvedScenario& resolved, double period_s, double
   return {first, std::min(end, total)};
 }
 
-StemTruth stem_truth(const TrialWorld& world) {
+StemTruth stem_truth(const sim::Stand& stand) {
   StemTruth truth;
-  truth.stems_in_world = true_stems(world.stand);
-  for (const sim::Tree& tree : world.stand.trees) truth.ids.push_back(tree.id);
+  truth.stems_in_world = true_stems(stand);
+  for (const sim::Tree& tree : stand.trees) truth.ids.push_back(tree.id);
   return truth;
 }
 
@@ -68,40 +70,30 @@ SimulateOutcome simulate(const ResolvedScenario& resolved, const std::filesystem
                          int threads) {
   const Scenario& scenario = resolved.scenario;
   const TrialWorld world = make_trial_world(scenario, 0);
-  const bool prior = scenario.simulate.run == "prior_run";
-  const sim::VehicleSettings& vehicle = prior ? scenario.map.prior_run : scenario.harvester;
-  const Drive drive =
-      make_drive(prior ? "prior" : "work", prior ? world.prior_path : world.work_path, vehicle,
-                 scenario, world);
-  const sim::Trajectory& trajectory = drive.vehicle->trajectory();
-  const double period_s = world.lidar->model().sweep_period_s();
+  const DriveOrder order = scenario.simulate.run == "prior_run" ? prior_drive(scenario, world)
+                                                                : work_drive(scenario, world);
+  const auto vehicle = make_vehicle(order, world.seed);
+  const sim::Trajectory& trajectory = vehicle->trajectory();
+  const double period_s = order.stand->lidar->model().sweep_period_s();
   const auto [first, end] = sweep_range(resolved, period_s, trajectory.duration_s());
 
   auto context = Context(threads, scenario.seed).entries();
   context["scenario_hash"] = resolved.hash;
-  RecordingWriter writer(out, world.lidar->model(), mounting(vehicle), stem_truth(world), context);
+  RecordingWriter writer(out, order.stand->lidar->model(), mounting(*order.vehicle),
+                         stem_truth(order.stand->stand), context);
   Progress progress("recording", "sweeps", end - first);
   SimulateOutcome outcome;
-  const std::int64_t batch = 16L * threads;
-  for (std::int64_t k = first; k < end; k += batch) {
-    const std::int64_t count = std::min(batch, end - k);
-    std::vector<sim::TruthfulSweep> sweeps(static_cast<std::size_t>(count));
-#pragma omp parallel for schedule(dynamic) num_threads(threads)
-    for (std::int64_t i = 0; i < count; ++i) {
-      const double middle_s = period_s * (static_cast<double>(k + i) + 0.5);
-      sweeps[static_cast<std::size_t>(i)] =
-          world.lidar->cast(trajectory, k + i, drive.vehicle->occluders_in_lidar(middle_s));
-    }
-    for (const sim::TruthfulSweep& sweep : sweeps) {
-      append(writer, trajectory, period_s, sweep);
-      ++outcome.sweeps;
-      outcome.shots += static_cast<std::int64_t>(sweep.truth.size());
-      outcome.returns += std::count_if(sweep.truth.begin(), sweep.truth.end(), [](const auto& t) {
-        return t.label.part != sim::Part::kNone;
-      });
-    }
-    progress.advance(count);
-  }
+  std::vector<std::int64_t> wanted(static_cast<std::size_t>(end - first));
+  std::iota(wanted.begin(), wanted.end(), first);
+  const auto record = [&](sim::TruthfulSweep&& sweep) {
+    append(writer, trajectory, period_s, sweep);
+    ++outcome.sweeps;
+    outcome.shots += static_cast<std::int64_t>(sweep.truth.size());
+    outcome.returns += std::count_if(sweep.truth.begin(), sweep.truth.end(), [](const auto& t) {
+      return t.label.part != sim::Part::kNone;
+    });
+  };
+  stream_sweeps(*vehicle, *order.stand->lidar, wanted, threads, progress, record);
   writer.commit();
   return outcome;
 }

@@ -11,6 +11,6 @@ namespace honka::eval {
 
 /// Appends what a trial's world, scans and maps were like; NaN where a map was not asked for.
 void append_trial(Table& table, std::int64_t trial, const TrialExhibit& exhibit,
-                  const ScanStatistics& scans, const StemMap& truth, const Scenario& scenario);
+                  const Scenario& scenario);
 
 }  // namespace honka::eval

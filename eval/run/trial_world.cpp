@@ -6,6 +6,19 @@
 
 namespace honka::eval {
 
+namespace {
+
+SeenStand seen(sim::Stand stand, const Scenario& scenario, std::uint64_t seed) {
+  SeenStand result;
+  result.stand = std::move(stand);
+  result.surfaces =
+      std::make_unique<sim::World>(sim::make_world(result.stand, scenario.forest, seed));
+  result.lidar = std::make_unique<sim::LidarSimulator>(*result.surfaces, scenario.lidar, seed);
+  return result;
+}
+
+}  // namespace
+
 TrialWorld make_trial_world(const Scenario& scenario, std::int64_t trial) {
   TrialWorld world;
   world.seed = derive_seed(static_cast<std::uint64_t>(scenario.seed), "trial",
@@ -16,11 +29,16 @@ TrialWorld make_trial_world(const Scenario& scenario, std::int64_t trial) {
   world.prior_path = sim::prior_run_path(extent, spacing_m);
   world.work_path = sim::work_path(extent, scenario.protocol.path_length_m, world.seed);
   const StemMap* measured = scenario.measured ? &*scenario.measured : nullptr;
-  world.stand =
+  sim::Stand stand =
       sim::make_stand(scenario.forest, {world.prior_path, world.work_path}, world.seed, measured);
-  world.surfaces =
-      std::make_unique<sim::World>(sim::make_world(world.stand, scenario.forest, world.seed));
-  world.lidar = std::make_unique<sim::LidarSimulator>(*world.surfaces, scenario.lidar, world.seed);
+  if (scenario.map.thinned_to_per_ha > 0.0) {
+    world.before_thinning = seen(stand, scenario, world.seed);
+    sim::ThinningSettings thinning;
+    thinning.target_density_per_ha = scenario.map.thinned_to_per_ha;
+    thinning.strip_road_spacing_m = scenario.map.strip_road_spacing_m;
+    stand = sim::thin(stand, thinning, world.seed);
+  }
+  static_cast<SeenStand&>(world) = seen(std::move(stand), scenario, world.seed);
   return world;
 }
 

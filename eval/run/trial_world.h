@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "algo/types/stem.h"
@@ -12,14 +13,25 @@
 
 namespace honka::eval {
 
-/// The world of one trial: a stand, the ways through it, and the sensor that sees it.
-struct TrialWorld {
-  std::uint64_t seed = 0;    ///< of the trial
-  sim::Polyline prior_path;  ///< of the run that makes the map
-  sim::Polyline work_path;   ///< of the run that is localized
+/// A stand at one time, and the sensor that sees it.
+struct SeenStand {
   sim::Stand stand;
   std::unique_ptr<sim::World> surfaces;
   std::unique_ptr<sim::LidarSimulator> lidar;
+};
+
+/// The world of one trial: a stand, the ways through it, and the sensor that sees it.
+struct TrialWorld : SeenStand {
+  std::uint64_t seed = 0;    ///< of the trial
+  sim::Polyline prior_path;  ///< of the run that makes the map
+  sim::Polyline work_path;   ///< of the run that is localized
+  /// The stand as the prior run saw it, where `map.thinned_to_per_ha` puts a thinning between the
+  /// runs; the members above are then what the thinning left.
+  std::optional<SeenStand> before_thinning;
+
+  [[nodiscard]] const SeenStand& when_mapped() const {
+    return before_thinning ? *before_thinning : *this;
+  }
 };
 
 /// Grows the stand of a trial, lays the roads, and builds the scene. The digits depend on the

@@ -41,12 +41,14 @@ std::vector<Eigen::Vector2d> TrunkMap::positions_m() const {
   return positions;
 }
 
-TrunkMap make_trunk_map(std::string source, const LocalCloud& cloud, const StemSettings& settings) {
+TrunkMap make_trunk_map(std::string source, const LocalCloud& cloud_in_odom,
+                        const StemSettings& settings, const Pose2& T_world_odom) {
   const auto start = Clock::now();
   TrunkMap map;
   map.source = std::move(source);
   map.repaired = settings.height_band;
-  map.stems = extract_stems(cloud, settings).stems;
+  map.stems = extract_stems(cloud_in_odom, settings).stems;
+  for (ObservedStem& stem : map.stems) stem.position_m = T_world_odom * stem.position_m;
   map.graph = build_delaunay(map.positions_m());
   map.extract_s = std::chrono::duration<double>(Clock::now() - start).count();
   return map;

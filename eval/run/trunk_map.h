@@ -16,16 +16,18 @@ namespace honka::eval {
 struct TrunkMap {
   std::string source;               ///< prior_run | same_run
   bool repaired = false;            ///< height band and unbiased centres
-  std::vector<ObservedStem> stems;  ///< in the map frame, that of the run's odometry
+  std::vector<ObservedStem> stems;  ///< in the map frame: the odometry's, laid onto the world
   DelaunayGraph graph;
   double extract_s = 0.0;
 
   [[nodiscard]] std::vector<Eigen::Vector2d> positions_m() const;
 };
 
-/// Algorithm 1 and the Delaunay graph over the cloud of a whole run.
-[[nodiscard]] TrunkMap make_trunk_map(std::string source, const LocalCloud& cloud,
-                                      const StemSettings& settings);
+/// Algorithm 1 and the Delaunay graph over the cloud of a whole run. `T_world_odom` then moves the
+/// stems rigidly, so that the map frame is the world's but for what the odometry bent: matching
+/// does not feel it, and answers can be compared with truth.
+[[nodiscard]] TrunkMap make_trunk_map(std::string source, const LocalCloud& cloud_in_odom,
+                                      const StemSettings& settings, const Pose2& T_world_odom);
 
 /// Settings of the repaired chain: height band 0.4–7 m, centres without the one-sided bias.
 [[nodiscard]] StemSettings repaired(StemSettings settings, const std::string& centre);

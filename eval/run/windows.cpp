@@ -133,7 +133,7 @@ std::vector<LocalizationRow> localize_window(const Window& window, const Scanned
   row.window = window.number;
   row.T_world_local = planar(levelled(reference.T_world_lidar));
   const double gate_m = scenario.protocol.stem_gate_m;
-  const Pose2 T_odom_local = planar(levelled(reference.T_odom_lidar));
+  const Pose2 T_odom_local = planar(run.drive->T_world_odom * levelled(reference.T_odom_lidar));
 
   std::vector<LocalizationRow> rows;
   for (const std::int64_t frames : scenario.protocol.frames) {

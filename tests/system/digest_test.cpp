@@ -60,6 +60,25 @@ TEST_CASE("the digest is the same whatever the threads, the title and the number
   CHECK(digest_of(folder, {"--seed", "2"}) != one);
 }
 
+TEST_CASE("a lidar odometry in place of truth and noise: the same digest whatever the threads") {
+  const TemporaryFolder folder;
+  write_tiny(folder);
+  const std::vector<std::string> loam = {"-s", "odometry.source=loam", "--threads"};
+  auto with = [&](const std::string& threads) {
+    auto arguments = loam;
+    arguments.push_back(threads);
+    return digest_of(folder, arguments);
+  };
+  const std::string one = with("1");
+  CHECK(with("2") == one);
+  const auto summary = honka::test::read_json(folder / "out/summary.json");
+  CHECK(summary["scenario"]["odometry.source"] == "loam");
+  CHECK(summary["scenario"]["map.source"] == "prior_run");
+  for (const auto& row : summary["tables"]["table1"]["rows"]) {
+    CHECK(row["windows"].get<int>() > 0);
+  }
+}
+
 TEST_CASE("a trial alone has the rows that it has among others") {
   const TemporaryFolder folder;
   write_tiny(folder);

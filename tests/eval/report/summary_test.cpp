@@ -155,3 +155,25 @@ TEST_CASE("console table: aligned, paper | ours") {
         "same run         1        – |   56.0        – |   43.1          2.0\n"
         "  The paper gives no interval.\n");
 }
+
+TEST_CASE("HTML report: shows the first table of the results beside it, once they exist") {
+  const FigureFolder folder;
+  const auto one = folder.root() / "one", other = folder.root() / "other";
+  for (const auto& path : {one, other}) std::filesystem::create_directories(path);
+  Summary summary = some_summary();
+  summary.scenario["beside"] = "other";
+  summary.scenario["odometry.source"] = "loam";
+  summary.report.title = "The one";
+  write_summary(one / "summary.json", summary);
+  rebuild_report(one);
+  CHECK(read_text_file(one / "report.html").find("Beside: ") == std::string::npos);
+  summary.scenario["beside"] = "one";
+  summary.scenario["odometry.source"] = "truth+noise";
+  summary.report.title = "The other";
+  write_summary(other / "summary.json", summary);
+  rebuild_report(other);
+  CHECK(read_text_file(other / "report.html").find("Beside: The one") != std::string::npos);
+  CHECK(read_text_file(other / "report.html").find("odometry: loam") != std::string::npos);
+  rebuild_report_beside(other);
+  CHECK(read_text_file(one / "report.html").find("Beside: The other") != std::string::npos);
+}
