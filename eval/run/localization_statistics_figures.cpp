@@ -132,7 +132,8 @@ ReportFigure recall(const std::filesystem::path& folder,
                     const std::vector<LocalizationSummary>& summaries,
                     const std::vector<DetectionSummary>& detection) {
   StemRecallFigure figure;
-  figure.protocol = n_windows(summaries) + "; trees in the field of view, hidden ones too";
+  figure.protocol =
+      fmt::format("{} windows; trees in view count, hidden ones too", summaries.front().windows);
   const auto share = [](std::int64_t part, std::int64_t whole) {
     return whole == 0 ? std::nan("") : static_cast<double>(part) / static_cast<double>(whole);
   };
