@@ -15,6 +15,9 @@ void describe(SettingsVisitor& v, StandsSettings& s) {
   Choices odometries = {"all"};
   odometries.insert(odometries.end(), odometry_names().begin(), odometry_names().end());
   v.field({"odometries", "", "which take each stand's sweeps", "choice"}, s.odometries, odometries);
+  v.field({"path_length_m", "m", "of the drive through every stand but the default",
+           "choice: sub-paths of 100 m, and a run of ten minutes"},
+          s.path_length_m, {5, 5000});
   v.group("default", [&] { describe_run(v, s.plain.run); });
   v.group("open", [&] {
     describe_run(v, s.open.run);

@@ -34,6 +34,7 @@ struct StandsSettings {
     double slope_deg = 18.0;
   } steep;
   std::string odometries = "all";  ///< or the name of one
+  double path_length_m = 110.0;    ///< of the drive; of the plain stand protocol.path_length_m
 };
 void describe(SettingsVisitor& v, StandsSettings& s);
 

@@ -56,12 +56,12 @@ std::vector<Eigen::Vector2d> sampled(const std::vector<Eigen::Vector2d>& points,
 ReportFigure draw_trajectories(const std::filesystem::path& folder,
                                const TrajectoriesFigure& input) {
   const double shape = shape_of(input.curves);
-  Figure figure(folder, input.name, 900, static_cast<int>(180.0 + 760.0 * shape));
+  Figure figure(folder, input.name, 900, static_cast<int>(200.0 + 760.0 * shape));
   figure.title(input.title, input.protocol);
   figure << "set size ratio -1"
          << "set xlabel 'x (m)'"
          << "set ylabel 'y (m)'";
-  figure.key_below(95);
+  figure.key_below(115);
   std::vector<std::string> elements;
   for (std::size_t i = 0; i < input.curves.size(); ++i) {
     const Curve& curve = input.curves[i];

@@ -8,7 +8,7 @@ namespace honka::eval {
 
 std::vector<NamedStand> stands_of(const Scenario& scenario) {
   const StandsSettings& s = scenario.stands;
-  const NamedStand same{"default", "the scenario's forest", scenario.forest, {}};
+  const NamedStand same{"default", "the scenario's forest", s.path_length_m, scenario.forest, {}};
   std::vector<NamedStand> stands;
   // Adds a copy of the scenario's forest for the caller to change.
   const auto add = [&](const std::string& name, const std::string& differs) -> NamedStand& {
@@ -17,7 +17,9 @@ std::vector<NamedStand> stands_of(const Scenario& scenario) {
     stands.back().differs = differs;
     return stands.back();
   };
-  if (s.plain.run) add(same.name, same.differs);
+  if (s.plain.run) {
+    add(same.name, same.differs).path_length_m = scenario.protocol.path_length_m;
+  }
   if (s.open.run) {
     add("open", fmt::format("{} stems/ha", s.open.density_per_ha)).forest.density_per_ha =
         s.open.density_per_ha;
@@ -48,6 +50,7 @@ std::vector<NamedStand> stands_of(const Scenario& scenario) {
 TrialWorld make_stand_world(const Scenario& scenario, const NamedStand& stand, std::int64_t trial) {
   Scenario changed = scenario;
   changed.forest = stand.forest;
+  changed.protocol.path_length_m = stand.path_length_m;
   TrialWorld world = make_trial_world(changed, trial);
   if (!stand.thinning) return world;
   world.stand = sim::thin(world.stand, *stand.thinning, world.seed);

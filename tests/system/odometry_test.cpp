@@ -24,6 +24,7 @@ forest.crown.foliage = false
 harvester.work_cycle = false
 map.strip_road_spacing_m = 30.0
 protocol.path_length_m = 15.0
+stands.path_length_m = 12.0
 stands.open.run = false
 stands.thinned.run = false
 stands.undergrowth_rich.run = false

@@ -97,7 +97,6 @@ TEST_CASE("an estimate that never moves has figures, not an end of the program")
   const OdometryScores scores =
       score_odometry(straight_run([](double) { return Pose3::Identity(); }));
   CHECK(mean_drift(scores.sub_paths)->percent == Approx(100.0).epsilon(0.02));
-  CHECK(scores.lost.empty());  // 1 m/s is not more than 1 m in a second
   CHECK(scores.rpe_per_metre.translation_m.empty());
 }
 

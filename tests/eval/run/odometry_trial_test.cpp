@@ -64,6 +64,7 @@ TEST_CASE("one odometry alone makes the run that it makes beside the others") {
 
 TEST_CASE("each stand differs from the scenario's forest by its own keys") {
   Scenario scenario = small_stand();
+  scenario.stands.path_length_m = 20.0;
   const auto stands = stands_of(scenario);
   std::vector<std::string> names;
   for (const NamedStand& stand : stands) names.push_back(stand.name);
@@ -76,6 +77,8 @@ TEST_CASE("each stand differs from the scenario's forest by its own keys") {
   CHECK(trees(1) == 36);
   CHECK(trees(2) == 288);
   CHECK(trees(3) <= 57);  // the strip roads of a thinning take their own share
+  CHECK(stands[0].path_length_m == 12.0);
+  CHECK(stands[1].path_length_m == scenario.stands.path_length_m);
   CHECK(stands[4].forest.undergrowth.bushes_per_ha == 1500.0);
   CHECK(make_stand_world(scenario, stands[5], 0).stand.terrain.relief_m() >
         60.0 * std::tan(deg_to_rad(15.0)));
