@@ -22,6 +22,19 @@ KeyFrameSettings loam_key_frames(const LoamSettings& s) {
   return key;
 }
 
+/// Pose of the lidar in a frame with z up. What stands is told from what leans by where z is
+/// thought to be: on a steep slope the second look sees stems that the first took for leaning.
+Pose3 level_pose(const Sweep& sweep, const LidarModel& model) {
+  constexpr int kLooks = 3;
+  Pose3 T_level_lidar = Pose3::Identity();
+  for (int look = 0; look < kLooks; ++look) {
+    const std::array posed = {PosedSweep{&sweep, T_level_lidar, T_level_lidar}};
+    const Eigen::Vector3d up_in_level = estimate_vertical(posed, model).up;
+    T_level_lidar = levelled_start(T_level_lidar.linear().transpose() * up_in_level);
+  }
+  return T_level_lidar;
+}
+
 }  // namespace
 
 LoamOdometry::LoamOdometry(const LidarModel& model, const LoamSettings& settings)
@@ -63,11 +76,10 @@ OdometryEstimate LoamOdometry::process(const Sweep& sweep) {
 OdometryEstimate LoamOdometry::start(const Sweep& sweep, const LoamFeatures& features,
                                      OdometryCause cause) {
   if (cause == OdometryCause::kEmptyScan) {
-    return answer(sweep, kUnobservedVariance * Covariance6::Identity(),
+    return answer(sweep, kVarianceUnobserved * Covariance6::Identity(),
                   {OdometryStatus::kPredicted, cause});
   }
-  const std::array posed = {PosedSweep{&sweep, Pose3::Identity(), Pose3::Identity()}};
-  motion_.T_odom_last = levelled_start(estimate_vertical(posed, model_).up);
+  motion_.T_odom_last = level_pose(sweep, model_);
   static_cast<void>(key_frames_.is_key_frame(motion_.T_odom_last));
   map_.add(features, DeskewedFeatures(features, Twist::Zero()), motion_.T_odom_last,
            settings_.registration.edge_noise_m, step_rad_);
@@ -169,7 +181,7 @@ OdometryEstimate LoamOdometry::answer(const Sweep& sweep, const Covariance6& cov
   last_.T_odom_start = motion_.T_odom_last * se3_exp(-0.5 * motion_.last_twist);
   last_.T_odom_end = motion_.T_odom_last * se3_exp(0.5 * motion_.last_twist);
   last_.covariance = judgement.status == OdometryStatus::kPredicted
-                         ? Covariance6(kUnobservedVariance * Covariance6::Identity())
+                         ? Covariance6(kVarianceUnobserved * Covariance6::Identity())
                          : covariance;
   last_.status = judgement.status;
   last_.cause = judgement.cause;

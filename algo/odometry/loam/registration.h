@@ -10,7 +10,7 @@
 namespace honka {
 
 /// m², rad²: OdometryEstimate::covariance of what is not observed.
-inline constexpr double kUnobservedVariance = 1e3;
+inline constexpr double kVarianceUnobserved = 1e3;
 
 /// A feature and what it lies on in the map: one or two planes, in units of its noise.
 ///
