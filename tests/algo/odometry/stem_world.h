@@ -3,6 +3,7 @@
 #include <cmath>
 #include <cstdint>
 #include <functional>
+#include <limits>
 #include <vector>
 
 #include "algo/geometry/se3.h"
@@ -17,7 +18,8 @@ namespace honka::stem_world {
 struct Trunk {
   Eigen::Vector2d foot_m = Eigen::Vector2d::Zero();
   Eigen::Vector2d lean = Eigen::Vector2d::Zero();  ///< x and y per metre of z
-  double radius_m = 0.12;
+  double radius_m = 0.12;                          ///< at z = 0
+  double taper = 0.0;                              ///< loss of radius per metre of z
 };
 
 struct World {
@@ -38,11 +40,12 @@ inline double cast(const World& world, const Eigen::Vector3d& from, const Eigen:
     if (range > 0.0) best = range;
   }
   for (const Trunk& trunk : world.trunks) {
-    // |p − axis(z)|² = r² in the plane, p = from + s · along.
+    // |p − axis(z)|² = r(z)² in the plane, p = from + s · along.
     const Eigen::Vector2d a = from.head<2>() - trunk.foot_m - from.z() * trunk.lean;
     const Eigen::Vector2d b = along.head<2>() - along.z() * trunk.lean;
-    const double A = b.squaredNorm(), B = a.dot(b);
-    const double C = a.squaredNorm() - trunk.radius_m * trunk.radius_m;
+    const double r = trunk.radius_m - trunk.taper * from.z(), dr = -trunk.taper * along.z();
+    const double A = b.squaredNorm() - dr * dr, B = a.dot(b) - r * dr;
+    const double C = a.squaredNorm() - r * r;
     const double D = B * B - A * C;
     if (D < 0.0) continue;
     const double range = (-B - std::sqrt(D)) / A;

@@ -40,6 +40,17 @@ TEST_CASE("vertical: upright stems give the tilt of the lidar whatever the groun
   }
 }
 
+TEST_CASE("vertical: a view to one side of stems that taper does not lean") {
+  // Uncorrected: 0.785 · 0.02 · sin 105°/(105 π/180), 0.47° away from the view.
+  World world = stand();
+  for (Trunk& trunk : world.trunks) {
+    trunk.radius_m += 0.08;
+    trunk.taper = 0.02;
+  }
+  const Pose3 T_world_lidar = pose_from_rpy({0.0, 0.0, 1.5}, 0.02, 0.01, 0.3);
+  CHECK(error_deg(vertical_of(world, T_world_lidar), T_world_lidar) < 0.2);
+}
+
 TEST_CASE("vertical: leaning trees average out, and the claimed s.d. covers the error") {
   double squares = 0.0;
   constexpr int kStands = 20;
