@@ -23,16 +23,16 @@ struct OdometryEntry {
 
 // One line for each odometry.
 constexpr std::array kOdometries = {
-    OdometryEntry{"loam",
-                  [](const LidarModel& model,
-                     const LidarOdometrySettings& s) -> std::unique_ptr<Odometry> {
-                    return std::make_unique<LoamOdometry>(model, s.loam);
-                  }},
-    OdometryEntry{"stems",
-                  [](const LidarModel& model,
-                     const LidarOdometrySettings& s) -> std::unique_ptr<Odometry> {
-                    return std::make_unique<StemOdometry>(model, s.stems);
-                  }},
+    OdometryEntry{
+        "loam",
+        [](const LidarModel& model, const LidarOdometrySettings& s) -> std::unique_ptr<Odometry> {
+          return std::make_unique<LoamOdometry>(model, s.loam);
+        }},
+    OdometryEntry{
+        "stems",
+        [](const LidarModel& model, const LidarOdometrySettings& s) -> std::unique_ptr<Odometry> {
+          return std::make_unique<StemOdometry>(model, s.stems);
+        }},
 };
 
 }  // namespace

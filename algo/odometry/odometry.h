@@ -47,9 +47,9 @@ using Covariance6 = Eigen::Matrix<double, 6, 6>;
 
 /// The motion of the lidar during one sweep.
 struct OdometryEstimate {
-  std::int64_t sweep = 0;      ///< Sweep::index
-  double start_time_s = 0.0;   ///< of the first firing
-  double end_time_s = 0.0;     ///< one revolution later
+  std::int64_t sweep = 0;                  ///< Sweep::index
+  double start_time_s = 0.0;               ///< of the first firing
+  double end_time_s = 0.0;                 ///< one revolution later
   Pose3 T_odom_start = Pose3::Identity();  ///< T_odom_lidar at start_time_s
   Pose3 T_odom_end = Pose3::Identity();    ///< at end_time_s; constant body twist between
   /// Of the registration of this sweep, as a twist (translation, then rotation vector) in the frame

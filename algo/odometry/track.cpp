@@ -17,9 +17,9 @@ void OdometryTrack::add(const OdometryEstimate& estimate) {
 
 const OdometryEstimate& OdometryTrack::at(double time_s) const {
   HONKA_CHECK(!empty() && std::isfinite(time_s), "a time on a track that holds estimates");
-  const auto after = std::upper_bound(
-      estimates_.begin(), estimates_.end(), time_s,
-      [](double t, const OdometryEstimate& e) { return t < e.start_time_s; });
+  const auto after =
+      std::upper_bound(estimates_.begin(), estimates_.end(), time_s,
+                       [](double t, const OdometryEstimate& e) { return t < e.start_time_s; });
   return after == estimates_.begin() ? estimates_.front() : *(after - 1);
 }
 

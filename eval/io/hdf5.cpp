@@ -10,14 +10,6 @@
 namespace honka::eval {
 namespace {
 
-/// HDF5 neither prints nor cleans up at exit, where it would write once more, and crash, on a file
-/// that it could not close on a full disk. Comes before every other call of HDF5.
-void silence() {
-  static const int kNoExitHandler = H5dont_atexit();
-  static_cast<void>(kNoExitHandler);
-  H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
-}
-
 /// The texts of HDF5's error stack in one string.
 std::string error_stack() {
   std::string text;
@@ -86,6 +78,13 @@ H5Handle open_attribute(hid_t file, const std::string& object, const std::string
 
 }  // namespace
 
+void h5::silence() {
+  static const int kNoExitHandler = H5dont_atexit();
+  static_cast<void>(kNoExitHandler);
+  thread_local const herr_t kQuiet = H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
+  static_cast<void>(kQuiet);
+}
+
 int H5Handle::reset() {
   const std::int64_t id = id_;
   id_ = -1;
@@ -93,7 +92,7 @@ int H5Handle::reset() {
 }
 
 H5File H5File::create(const std::filesystem::path& path) {
-  silence();
+  h5::silence();
   H5File file;
   file.path_ = path;
   file.file_ = handle(H5Fcreate(path.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, H5P_DEFAULT), H5Fclose);
@@ -102,7 +101,7 @@ H5File H5File::create(const std::filesystem::path& path) {
 }
 
 H5File H5File::open(const std::filesystem::path& path) {
-  silence();
+  h5::silence();
   if (!std::filesystem::exists(path)) {
     throw UserError(path.string() + ": no such file; check the path");
   }

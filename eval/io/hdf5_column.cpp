@@ -101,6 +101,7 @@ H5Column<T> H5File::open_column(const std::string& name) const {
 template <class T>
 void H5Column<T>::append(std::span<const T> values) {
   if (values.empty()) return;
+  h5::silence();
   const std::array<hsize_t, 2> start = {rows_, 0};
   const std::array<hsize_t, 2> count = {values.size() / width_, width_};
   const std::array<hsize_t, 2> size = {rows_ + count[0], width_};

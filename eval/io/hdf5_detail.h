@@ -11,6 +11,11 @@
 
 namespace honka::eval::h5 {
 
+/// HDF5 neither prints, which it settles thread by thread, nor cleans up at exit, where it would
+/// write once more, and crash, on a file that it could not close on a full disk. Comes before the
+/// first other call of HDF5 in each thread.
+void silence();
+
 /// UserError for a file whose content is not what it should be.
 [[noreturn]] void fail_read(const std::filesystem::path& file, const std::string& what);
 

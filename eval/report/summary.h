@@ -53,8 +53,8 @@ void write_summary(const std::filesystem::path& path, const Summary& summary);
 /// mistypes a key.
 [[nodiscard]] Summary read_summary(const std::filesystem::path& path);
 
-/// Makes folder/report.html again from folder/summary.json and folder/figures/, with the first table
-/// of the results that the scenario's key `beside` names, where these lie next to the folder.
+/// Makes folder/report.html again from folder/summary.json and folder/figures/, with the first
+/// table of the results that the scenario's key `beside` names, where these lie next to the folder.
 /// UserError as above.
 void rebuild_report(const std::filesystem::path& folder);
 

@@ -53,13 +53,14 @@ Results run_trials(const RunRequest& request, const std::filesystem::path& figur
 std::vector<std::string> lead_notes(const Scenario& scenario) {
   const OdometrySettings& o = scenario.odometry;
   if (o.source != "truth+noise") {
-    return {fmt::format(
-                "Odometry is {}: every pose comes from the scans. Key frames, windows and maps rest "
-                "on it alone.",
-                o.source),
-            "For the metrics the odometry's frame is laid onto the world by the yaw and the "
-            "translation that bring its key frames nearest to the truth; truth enters nowhere "
-            "else."};
+    return {
+        fmt::format(
+            "Odometry is {}: every pose comes from the scans. Key frames, windows and maps rest "
+            "on it alone.",
+            o.source),
+        "For the metrics the odometry's frame is laid onto the world by the yaw and the "
+        "translation that bring its key frames nearest to the truth; truth enters nowhere "
+        "else."};
   }
   return {
       fmt::format(

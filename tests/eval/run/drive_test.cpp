@@ -29,14 +29,15 @@ struct Taken {
 
 Taken drive(const Scenario& scenario, const TrialWorld& world, int threads) {
   Taken taken;
-  taken.drive = drive_and_scan(
-      work_drive(scenario, world), scenario, world.seed, "test", threads,
-      [&](const KeyFrame& key_frame, std::vector<sim::TruthfulSweep>&& sweeps) {
-        REQUIRE(sweeps.size() == key_frame.sweeps.size());
-        taken.sweeps.emplace_back();
-        for (const auto& sweep : sweeps) taken.sweeps.back().push_back(sweep.sweep.index);
-        taken.returns.push_back(sweeps.front().sweep.returns.size());
-      });
+  taken.drive =
+      drive_and_scan(work_drive(scenario, world), scenario, world.seed, "test", threads,
+                     [&](const KeyFrame& key_frame, std::vector<sim::TruthfulSweep>&& sweeps) {
+                       REQUIRE(sweeps.size() == key_frame.sweeps.size());
+                       taken.sweeps.emplace_back();
+                       for (const auto& sweep : sweeps)
+                         taken.sweeps.back().push_back(sweep.sweep.index);
+                       taken.returns.push_back(sweeps.front().sweep.returns.size());
+                     });
   return taken;
 }
 
