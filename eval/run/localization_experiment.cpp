@@ -11,6 +11,7 @@
 #include "eval/run/localization_figures.h"
 #include "eval/run/localization_tables.h"
 #include "eval/run/localization_trial.h"
+#include "eval/run/scenario_json.h"
 #include "eval/run/trial_row.h"
 
 namespace honka::eval {
@@ -30,7 +31,7 @@ void check_trial(const RunRequest& request) {
 }
 
 /// Every asked trial, one after the other; the threads work within each.
-Results run_trials(const RunRequest& request, const std::filesystem::path& figures) {
+Results run_trials(const RunRequest& request, const std::filesystem::path& folder) {
   const Scenario& scenario = request.resolved.scenario;
   const std::int64_t first = request.trial.value_or(0);
   const std::int64_t end = request.trial ? first + 1 : scenario.trials;
@@ -40,7 +41,8 @@ Results run_trials(const RunRequest& request, const std::filesystem::path& figur
         run_localization_trial(scenario, trial, request.threads, trial == first);
     results.trials.append_rows(done.trials);
     results.frames.append_rows(done.frames);
-    if (done.exhibit) results.figures = draw_exhibit(figures, *done.exhibit, scenario);
+    write_run_tracks(folder, trial, done.tracks);
+    if (done.exhibit) results.figures = draw_exhibit(folder / "figures", *done.exhibit, scenario);
   }
   if (results.frames.rows() == 0) {
     throw UserError(fmt::format(
@@ -104,14 +106,6 @@ Metric rate_metric(const LocalizationSummary& s) {
   return metric;
 }
 
-Json scenario_json(const Scenario& scenario) {
-  Json json = Json::object();
-  for (const KeyEntry& entry : list_keys(scenario)) {
-    std::visit([&](const auto& value) { json[entry.key] = value; }, entry.value);
-  }
-  return json;
-}
-
 }  // namespace
 
 RunOutcome run_localization_experiment(const RunRequest& request) {
@@ -122,7 +116,7 @@ RunOutcome run_localization_experiment(const RunRequest& request) {
   const auto figures = folder.path() / "figures";
 
   // Raw results
-  Results results = run_trials(request, figures);
+  Results results = run_trials(request, folder.path());
   Summary summary;
   summary.context = context.entries();
   summary.results_digest = results_digest({&results.trials, &results.frames});
@@ -134,7 +128,7 @@ RunOutcome run_localization_experiment(const RunRequest& request) {
   for (ReportFigure& figure : draw_statistics(figures, results.frames, summaries, detection)) {
     results.figures.push_back(std::move(figure));
   }
-  summary.scenario = scenario_json(scenario);
+  summary.scenario = resolved_keys(scenario);
   summary.scenario_hash = request.resolved.hash;
   summary.tables["table1"] = localization_json(summaries, scenario);
   for (const LocalizationSummary& s : summaries) {

@@ -98,6 +98,15 @@ std::vector<LocalizationRow> localize_all(const Scenario& scenario, const TrialE
   return all;
 }
 
+/// Of truth and noise there is nothing to judge.
+std::vector<RunTrack> tracks_of(const TrialExhibit& exhibit, const Scenario& scenario) {
+  std::vector<RunTrack> tracks;
+  if (scenario.odometry.source == "truth+noise") return tracks;
+  if (exhibit.prior.vehicle) tracks.push_back(track_of_run("prior", exhibit.prior));
+  tracks.push_back(track_of_run("work", exhibit.work));
+  return tracks;
+}
+
 }  // namespace
 
 LocalizationTrial run_localization_trial(const Scenario& scenario, std::int64_t trial, int threads,
@@ -124,9 +133,10 @@ LocalizationTrial run_localization_trial(const Scenario& scenario, std::int64_t 
   const StemMap truth = true_stems(world.stand);
   const auto rows = localize_all(scenario, *exhibit, truth, trial, threads);
 
-  LocalizationTrial result{trial_table(), localization_table(), nullptr};
+  LocalizationTrial result{trial_table(), localization_table(), {}, nullptr};
   for (const LocalizationRow& row : rows) append(result.frames, row);
   append_trial(result.trials, trial, *exhibit, scenario);
+  result.tracks = tracks_of(*exhibit, scenario);
   if (with_exhibit) result.exhibit = std::move(exhibit);
   return result;
 }

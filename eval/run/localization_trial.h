@@ -5,6 +5,7 @@
 
 #include "eval/config/scenario.h"
 #include "eval/io/table.h"
+#include "eval/run/run_tracks.h"
 #include "eval/run/scan_statistics.h"
 #include "eval/run/trunk_map.h"
 #include "eval/run/windows.h"
@@ -26,6 +27,7 @@ struct TrialExhibit {
 /// Rows of one trial: one for /trials, one a localization for /frames.
 struct LocalizationTrial {
   Table trials, frames;
+  std::vector<RunTrack> tracks;           ///< of a lidar odometry
   std::unique_ptr<TrialExhibit> exhibit;  ///< where it was asked for
 };
 

@@ -176,7 +176,7 @@ Violations strange_top_level(const fs::path& root) {
 }
 
 Violations unindexed_equations(const fs::path& root) {
-  static const std::regex kCitation(R"((Li2020|Nevalainen2021) Eq\. \((\d+)\))");
+  static const std::regex kCitation(R"(([A-Z][a-z]+[0-9]{4}) Eq\. \((\d+)\))");
   static const std::regex kPath(R"(`((algo|sim|eval|tests)/[A-Za-z0-9_/.]+)`)");
   std::set<std::string> indexed;
   Violations violations;

@@ -74,6 +74,13 @@ TEST_CASE("a lidar odometry in place of truth and noise: the same digest whateve
   const auto summary = honka::test::read_json(folder / "out/summary.json");
   CHECK(summary["scenario"]["odometry.source"] == "loam");
   CHECK(summary["scenario"]["map.source"] == "prior_run");
+  for (const std::string run : {"prior", "work"}) {
+    const auto judged = run_honka({"evaluate", "out/stand_0_" + run + "_truth.tum",
+                                   "out/stand_0_" + run + ".tum", "--align", "yaw", "--json"},
+                                  folder.path());
+    REQUIRE(judged.exit_code == 0);
+    CHECK(honka::test::Json::parse(judged.out)["ape"]["translation_m"]["rmse"] < 0.3);
+  }
   for (const auto& row : summary["tables"]["table1"]["rows"]) {
     CHECK(row["windows"].get<int>() > 0);
   }
