@@ -87,6 +87,7 @@ ReportModel make_report(const RunRequest& request, const Results& results,
         summaries, "same_run", "Table 1 with the paper's protocol: map of the same run", scenario));
   }
   report.tables.push_back(world_table(results.trials));
+  report.tables.push_back(odometry_table(results.trials));
   report.tables.push_back(variants_table(summaries));
   report.tables.push_back(detection_table(detection, scenario));
   report.tables.push_back(time_table(summaries));

@@ -211,6 +211,31 @@ ReportTable world_table(const Table& trials) {
   return table;
 }
 
+ReportTable odometry_table(const Table& trials) {
+  ReportTable table;
+  table.title = "The odometry of both runs";
+  table.protocol =
+      "position error: RMSE of the key frames after the odometry's frame is laid onto the world by "
+      "yaw and translation (truth and noise: as it is); not registered: sweeps that follow the "
+      "prediction alone and are in no key frame";
+  table.headers = {{"stand"},
+                   {"prior run: position error", "m"},
+                   {"not registered", "sweeps"},
+                   {"localized run: position error", "m"},
+                   {"not registered", "sweeps"}};
+  for (std::size_t row = 0; row < trials.rows(); ++row) {
+    const auto cell = [&](const char* name, int decimals) {
+      return ReportCell{fixed(trials.doubles(name)[row], decimals)};
+    };
+    table.rows.push_back({{fmt::format("{}", trials.ints("trial")[row])},
+                          cell("prior_odometry_ate_m", 3),
+                          cell("prior_unregistered_sweeps", 0),
+                          cell("odometry_ate_m", 3),
+                          cell("unregistered_sweeps", 0)});
+  }
+  return table;
+}
+
 ReportTable time_table(const std::vector<LocalizationSummary>& summaries) {
   ReportTable table;
   table.title = "Time of each stage";

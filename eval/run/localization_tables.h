@@ -31,6 +31,9 @@ namespace honka::eval {
 /// What the world, its scans and its maps were like, one row a stand.
 [[nodiscard]] ReportTable world_table(const Table& trials);
 
+/// How far the odometry of each trial's runs strayed, and what it could not register.
+[[nodiscard]] ReportTable odometry_table(const Table& trials);
+
 /// Median times of each stage.
 [[nodiscard]] ReportTable time_table(const std::vector<LocalizationSummary>& summaries);
 

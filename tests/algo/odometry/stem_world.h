@@ -39,13 +39,17 @@ inline double cast(const World& world, const Eigen::Vector3d& from, const Eigen:
     const double range = -n.dot(from) / n.dot(along);
     if (range > 0.0) best = range;
   }
+  const double x = from.x(), y = from.y(), z = from.z();
+  const double dx = along.x(), dy = along.y(), dz = along.z();
+  // Plain numbers, because sanitizers watch every call that Eigen would make a million times.
   for (const Trunk& trunk : world.trunks) {
     // |p − axis(z)|² = r(z)² in the plane, p = from + s · along.
-    const Eigen::Vector2d a = from.head<2>() - trunk.foot_m - from.z() * trunk.lean;
-    const Eigen::Vector2d b = along.head<2>() - along.z() * trunk.lean;
-    const double r = trunk.radius_m - trunk.taper * from.z(), dr = -trunk.taper * along.z();
-    const double A = b.squaredNorm() - dr * dr, B = a.dot(b) - r * dr;
-    const double C = a.squaredNorm() - r * r;
+    const double *foot = trunk.foot_m.data(), *lean = trunk.lean.data();
+    const double ax = x - foot[0] - z * lean[0], ay = y - foot[1] - z * lean[1];
+    const double bx = dx - dz * lean[0], by = dy - dz * lean[1];
+    const double r = trunk.radius_m - trunk.taper * z, dr = -trunk.taper * dz;
+    const double A = bx * bx + by * by - dr * dr, B = ax * bx + ay * by - r * dr;
+    const double C = ax * ax + ay * ay - r * r;
     const double D = B * B - A * C;
     if (D < 0.0) continue;
     const double range = (-B - std::sqrt(D)) / A;
