@@ -17,7 +17,7 @@ on the scans and judges it against truth.
 
 First steps
   honka run scenarios/quick.toml            half a minute: one stand, a table, a report
-  honka run scenarios/li2020/table1.toml    Table 1 of Li et al. 2020, LOAM inside
+  honka run scenarios/li2020/table1.toml    Table 1 of Li et al. 2020 at full size
   honka locate MAP.csv LOCAL.csv            find your own stem list in your own stem map
 
 Verbs
