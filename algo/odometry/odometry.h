@@ -45,6 +45,9 @@ enum class OdometryCause : std::uint8_t {
 
 using Covariance6 = Eigen::Matrix<double, 6, 6>;
 
+/// m², rad²: OdometryEstimate::covariance of what is not observed.
+inline constexpr double kUnobservedVariance = 1e3;
+
 /// The motion of the lidar during one sweep.
 struct OdometryEstimate {
   std::int64_t sweep = 0;                  ///< Sweep::index
@@ -54,7 +57,7 @@ struct OdometryEstimate {
   Pose3 T_odom_end = Pose3::Identity();    ///< at end_time_s; constant body twist between
   /// Of the registration of this sweep, as a twist (translation, then rotation vector) in the frame
   /// of the lidar at the sweep's end: T exp(ξ). What the reference of the registration has drifted
-  /// is not in it. Large (1e3 m², rad²) in directions that were not observed.
+  /// is not in it. At least kUnobservedVariance in directions that were not observed.
   Covariance6 covariance = Covariance6::Identity();
   OdometryStatus status = OdometryStatus::kRegistered;
   OdometryCause cause = OdometryCause::kNone;

@@ -58,12 +58,6 @@ class KeyFrameBuilder {
   std::deque<Open> open_;
 };
 
-OdometryTrack poses_alone(Odometry& odometry, const LidarModel& model, std::int64_t sweeps) {
-  OdometryTrack track;
-  for (std::int64_t k = 0; k < sweeps; ++k) track.add(odometry.process(empty_sweep(model, k)));
-  return track;
-}
-
 std::vector<std::int64_t> sweeps_of_key_frames(const OdometryTrack& track,
                                                const KeyFrameSettings& settings,
                                                const sim::Vehicle& vehicle) {
@@ -126,15 +120,17 @@ Drive drive_and_scan(const DriveOrder& order, const Scenario& scenario, std::uin
                             drive.key_frames.push_back(key_frame);
                             take(key_frame, std::move(scans));
                           });
-  if (!odometry->needs_returns()) {
-    drive.track = poses_alone(*odometry, lidar.model(), sweeps);
+  const bool casts = odometry->needs_returns();
+  Progress progress(casts ? what : what + ", poses alone", "sweeps", sweeps);
+  drive.track =
+      drive_with_odometry(*drive.vehicle, lidar, *odometry, threads, progress, [&](DriveSweep&& s) {
+        if (casts) builder.add(s.estimate, &s.sweep);
+      });
+  if (casts) {
+    drive.T_world_odom = laid_onto_world(drive.key_frames);
+  } else {
     scan_key_frames(drive, lidar, scenario.frame, what, threads, builder);
-    return drive;
   }
-  Progress progress(what, "sweeps", sweeps);
-  drive.track = drive_with_odometry(*drive.vehicle, lidar, *odometry, threads, progress,
-                                    [&](DriveSweep&& s) { builder.add(s.estimate, &s.sweep); });
-  drive.T_world_odom = laid_onto_world(drive.key_frames);
   return drive;
 }
 

@@ -1,5 +1,6 @@
 #include "eval/run/odometry_drive.h"
 
+#include <atomic>
 #include <exception>
 #include <numeric>
 
@@ -26,17 +27,22 @@ void stream_sweeps(const sim::Vehicle& vehicle, const sim::LidarSimulator& lidar
                    const std::vector<std::int64_t>& indices, int threads, Progress& progress,
                    const TakeSweep& take) {
   std::exception_ptr failure;
+  std::atomic<bool> failed = false;  // read by threads that cast while another one takes
 #pragma omp parallel for ordered schedule(dynamic) num_threads(threads)
   for (std::size_t i = 0; i < indices.size(); ++i) {
-    sim::TruthfulSweep sweep = cast_sweep(vehicle, lidar, indices[i]);
+    sim::TruthfulSweep sweep;
+    if (!failed) sweep = cast_sweep(vehicle, lidar, indices[i]);
 #pragma omp ordered
     {
       try {
-        if (!failure) take(std::move(sweep));
+        if (!failed) {
+          take(std::move(sweep));
+          progress.advance();
+        }
       } catch (...) {
         failure = std::current_exception();
+        failed = true;
       }
-      progress.advance();
     }
   }
   if (failure) std::rethrow_exception(failure);

@@ -76,7 +76,7 @@ OdometryEstimate LoamOdometry::process(const Sweep& sweep) {
 OdometryEstimate LoamOdometry::start(const Sweep& sweep, const LoamFeatures& features,
                                      OdometryCause cause) {
   if (cause == OdometryCause::kEmptyScan) {
-    return answer(sweep, kVarianceUnobserved * Covariance6::Identity(),
+    return answer(sweep, kUnobservedVariance * Covariance6::Identity(),
                   {OdometryStatus::kPredicted, cause});
   }
   motion_.T_odom_last = level_pose(sweep, model_);
@@ -181,7 +181,7 @@ OdometryEstimate LoamOdometry::answer(const Sweep& sweep, const Covariance6& cov
   last_.T_odom_start = motion_.T_odom_last * se3_exp(-0.5 * motion_.last_twist);
   last_.T_odom_end = motion_.T_odom_last * se3_exp(0.5 * motion_.last_twist);
   last_.covariance = judgement.status == OdometryStatus::kPredicted
-                         ? Covariance6(kVarianceUnobserved * Covariance6::Identity())
+                         ? Covariance6(kUnobservedVariance * Covariance6::Identity())
                          : covariance;
   last_.status = judgement.status;
   last_.cause = judgement.cause;

@@ -94,7 +94,7 @@ Twist remapped(const Directions& d, const Twist& step) {
 Covariance6 covariance_of(const Directions& d) {
   Twist variances;
   for (int k = 0; k < 6; ++k) {
-    variances[k] = d.observed[k] > 0.0 ? 1.0 / d.values[k] : kVarianceUnobserved * kLever_m;
+    variances[k] = d.observed[k] > 0.0 ? 1.0 / d.values[k] : kUnobservedVariance * kLever_m;
   }
   const Twist inverse = lever().cwiseInverse();
   const Matrix6 scaled = d.vectors * variances.asDiagonal() * d.vectors.transpose();

@@ -9,9 +9,6 @@
 
 namespace honka {
 
-/// m², rad²: OdometryEstimate::covariance of what is not observed.
-inline constexpr double kVarianceUnobserved = 1e3;
-
 /// A feature and what it lies on in the map: one or two planes, in units of its noise.
 ///
 /// Residual k is row k of `normals` times (T p − anchor). A line is two planes across each other.

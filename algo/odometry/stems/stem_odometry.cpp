@@ -13,7 +13,6 @@
 namespace honka {
 namespace {
 
-constexpr double kUnobservedVariance = 1e3;
 constexpr double kKnown = 1e-3;  // m and rad: a pose by definition
 constexpr double kCoast_s =
     1.0;  // constant velocity is believed this long; then the machine stands
