@@ -65,6 +65,7 @@ const std::map<std::string, std::string>& package_doors() {
       {"embree3/", "sim/lidar/"},          {"hdf5", "eval/io/hdf5"},
       {"toml++/", "eval/config/toml_"},    {"CLI/", "eval/cli/"},
       {"Random123/", "algo/types/philox"}, {"openssl/", "eval/io/"},
+      {"ceres/", "algo/slam/methods/"},    {"zlib", "eval/io/gzip"},
   };
   return kDoors;
 }
