@@ -1,0 +1,44 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <span>
+
+#include "algo/types/pose.h"
+
+namespace honka {
+
+/// Whether edges between two points of the convex hull count for L0: they are long and join no
+/// neighbours.
+enum class HullEdges { kLeftOut, kCounted };
+
+/// L0: the mean over the points of their mean distance to their natural neighbours, those that an
+/// edge of the planar Delaunay triangulation joins them to. 0 where no triangle exists.
+/// Source: Nevalainen2021 Eq. (23).
+[[nodiscard]] double mean_neighbour_distance_m(std::span<const Eigen::Vector3d> points_m,
+                                               HullEdges hull = HullEdges::kLeftOut);
+
+/// How far a guess may be off for a simple ICP to find the match: half axes of an ellipsoid.
+struct ConvergenceLimits {
+  double translation_m = 0.0;  ///< δ0
+  double rotation_rad = 0.0;   ///< θ0, about the vertical
+  double tilt_rad = 0.0;       ///< φ0, of the vertical
+};
+
+/// The paper's tilt limit, found by it in a numerical test (§2.3).
+inline constexpr double kPaperTiltLimitDeg = 8.2;
+
+/// δ0 = L0/2 and θ0 = δ0 / (√(1−γ) R). With the paper's L0 = 3.5 m, γ = 0.6 and R = 35 m that is
+/// 1.75 m and 4.53°; the paper prints 3.7°, which is √γ in place of √(1−γ).
+/// Source: Nevalainen2021 Eq. (24), Nevalainen2021 Eq. (25).
+[[nodiscard]] ConvergenceLimits convergence_limits(double mean_neighbour_distance_m,
+                                                   double outlier_ratio, double range_m,
+                                                   double tilt_deg = kPaperTiltLimitDeg);
+
+/// (δ/δ0)² + (θ/θ0)² + (φ/φ0)²: at most 1 where ICP is expected to succeed.
+/// Source: Nevalainen2021 Eq. (26) with the tilt term of §2.3.
+[[nodiscard]] double convergence_measure(const Pose3& mismatch, const ConvergenceLimits& limits);
+
+/// Yaw about the vertical (θ) and the angle between the verticals (φ) of a rotation. Radians, ≥ 0.
+[[nodiscard]] Eigen::Vector2d turn_and_tilt(const Eigen::Matrix3d& rotation);
+
+}  // namespace honka
