@@ -1,14 +1,15 @@
 #include "eval/report/figure_trajectories.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "eval/report/gnuplot.h"
 
 namespace honka::eval {
 namespace {
 
-/// Height over width of what the curves cover.
-double shape_of(const std::vector<Curve>& curves) {
+/// Width and height of what the curves cover, at least 1 each.
+Eigen::Array2d size_of(const std::vector<Curve>& curves) {
   bool any = false;
   Eigen::Array2d low(0.0, 0.0), high(1.0, 1.0);
   for (const Curve& curve : curves) {
@@ -20,8 +21,16 @@ double shape_of(const std::vector<Curve>& curves) {
       any = true;
     }
   }
-  const Eigen::Array2d size = (high - low).max(1.0);
-  return std::clamp(size.y() / size.x(), 0.35, 1.4);
+  return (high - low).max(1.0);
+}
+
+/// A distance between tics, 1, 2 or 5 times a power of ten, with at most ten on so long an axis.
+double tic_step(double length) {
+  const double power = std::pow(10.0, std::floor(std::log10(length / 10.0)));
+  for (const double step : {1.0, 2.0, 5.0}) {
+    if (length / (step * power) <= 10.0) return step * power;
+  }
+  return 10.0 * power;
 }
 
 /// Colours of estimates; black is left to the truth.
@@ -55,11 +64,13 @@ std::vector<Eigen::Vector2d> sampled(const std::vector<Eigen::Vector2d>& points,
 
 ReportFigure draw_trajectories(const std::filesystem::path& folder,
                                const TrajectoriesFigure& input) {
-  const double shape = shape_of(input.curves);
+  const Eigen::Array2d size = size_of(input.curves);
+  const double shape = std::clamp(size.y() / size.x(), 0.35, 1.4);
+  const std::string step = number(tic_step(size.maxCoeff()));  // one for both axes of equal scale
   Figure figure(folder, input.name, 900, static_cast<int>(200.0 + 760.0 * shape));
   figure.title(input.title, input.protocol);
   figure << "set size ratio -1"
-         << "set xlabel 'x (m)'"
+         << "set xtics " + step << "set ytics " + step << "set xlabel 'x (m)'"
          << "set ylabel 'y (m)'";
   figure.key_below(115);
   std::vector<std::string> elements;
@@ -79,7 +90,7 @@ ReportFigure draw_curves(const std::filesystem::path& folder, const CurvesFigure
   Figure figure(folder, input.name, 1000, static_cast<int>(130 + 210 * panels));
   figure << "set multiplot layout " + std::to_string(panels) + ",1 title " +
                 gnuplot_text(input.title + ": " + input.protocol) + " font ',14'"
-         << "set xlabel " + gnuplot_text(input.x_label) << "set key top left horizontal"
+         << "set xlabel " + gnuplot_text(input.x_label) << "set key outside right top vertical"
          << "set lmargin 10"
          << "set yrange [0:*]";
   for (const CurvesPanel& panel : input.panels) draw_curves_panel(figure, panel, input.points);

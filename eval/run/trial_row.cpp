@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <limits>
 
-#include "eval/metrics/statistics.h"
+#include "eval/metrics/trajectory_errors.h"
 #include "eval/run/stem_judgement.h"
 
 namespace honka::eval {
@@ -39,16 +39,16 @@ struct OdometryRow {
 
 OdometryRow odometry_row(const Drive& drive) {
   if (drive.track.empty()) return {};
-  std::vector<double> errors_m;
+  PosePairs pairs;
   for (const KeyFrame& key_frame : drive.key_frames) {
-    const Pose3 T_world_estimate = drive.T_world_odom * key_frame.T_odom_lidar;
-    errors_m.push_back(
-        (T_world_estimate.translation() - key_frame.T_world_lidar.translation()).norm());
+    pairs.poses.push_back(
+        {key_frame.time_s, key_frame.T_world_lidar, drive.T_world_odom * key_frame.T_odom_lidar});
   }
+  const auto errors = trajectory_statistics(absolute_errors(pairs).translation_m);
   const auto unregistered = std::count_if(
       drive.track.estimates().begin(), drive.track.estimates().end(),
       [](const OdometryEstimate& e) { return e.status == OdometryStatus::kPredicted; });
-  return {rmse(errors_m).value_or(kMissing), static_cast<double>(unregistered)};
+  return {errors ? errors->rmse : kMissing, static_cast<double>(unregistered)};
 }
 
 void add_odometry_columns(Table& table, const std::string& prefix, const std::string& what) {
