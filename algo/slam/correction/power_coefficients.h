@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "algo/slam/sparse_frame.h"
+#include "algo/types/settings.h"
 
 namespace honka {
 
@@ -23,11 +24,14 @@ enum class PowerCoefficient : std::uint8_t {
 /// HONKA_CHECKs that the name is one of these.
 [[nodiscard]] PowerCoefficient power_coefficient(const std::string& name);
 
-/// Weights of d(τ)² = a θ² + b |q|² in Eqs. 31–32.
+/// Weights of d(τ)² = a θ² + b |q|² in Eqs. 31–32, and how the least d of Eq. 32 is looked for.
 struct MotionMetric {
-  double a_m2 = 1.0;  ///< per rad²
+  double a_m2 = 100.0;  ///< per rad²: a turn counts as the way of a point 10 m off
   double b = 1.0;
+  std::int64_t nearest_steps = 40;  ///< parts of [0, 1] at whose ends d is tried
+  bool nearest_refined = true;      ///< then between the neighbours of the least
 };
+void describe(SettingsVisitor& v, MotionMetric& s);
 
 /// Shares of frames j … i (i − j + 1 numbers): 0 at j, 1 at i, between them in [0, 1].
 /// `step_errors_m[l]` is e of the match of frames l and l + 1; read by kErrors alone. Where a
