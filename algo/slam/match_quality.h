@@ -1,7 +1,9 @@
 #pragma once
 
+#include <cstdint>
 #include <span>
 
+#include "algo/slam/registration/nearest_stems.h"
 #include "algo/slam/sparse_frame.h"
 #include "algo/slam/view_cone.h"
 #include "algo/types/settings.h"
@@ -12,6 +14,7 @@ namespace honka {
 struct MatchQualitySettings {
   double inlier_ratio = 0.4;       ///< best part of the distances that e is taken over; 1 − γ
   double share_distance_m = 0.35;  ///< a neighbour nearer than this counts for the share
+  std::int64_t min_points = 8;     ///< in the common view; fewer judge nothing
 };
 void describe(SettingsVisitor& v, MatchQualitySettings& s);
 
@@ -23,9 +26,19 @@ struct MatchQuality {
   double share = 0.0;    ///< part of them under the share distance
 };
 
-/// Judges T_target_source over the source points that lie in the target's cone; distances are
-/// planar. `points` = 0 leaves error and mean infinite and the share 0; never NaN.
+/// Judges T_target_source over the source points that lie in the target's cone (seen from above);
+/// distances to the nearest target points are in space. The best part is ⌈inlier_ratio · points⌉
+/// distances. Where `points` is below `min_points`, or the target or the pose is of no use (no
+/// points, or a point that is not finite is taken for absent), error and mean are infinite and the
+/// share is 0; never NaN.
+/// Source: Nevalainen2021 §2.3, §2.4 (e of a match, non-overlapping parts excluded).
 [[nodiscard]] MatchQuality judge_match(std::span<const Eigen::Vector3d> target_m,
+                                       std::span<const Eigen::Vector3d> source_m,
+                                       const Pose3& T_target_source, const ViewCone& cone,
+                                       const MatchQualitySettings& settings);
+
+/// The same with the target's neighbour search made before, for many sources or poses.
+[[nodiscard]] MatchQuality judge_match(const NearestStems& target,
                                        std::span<const Eigen::Vector3d> source_m,
                                        const Pose3& T_target_source, const ViewCone& cone,
                                        const MatchQualitySettings& settings);
