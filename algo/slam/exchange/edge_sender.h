@@ -14,6 +14,7 @@ namespace honka {
 struct EdgeSettings {
   std::string policy = "paced";  ///< all | every_kth | paced
   std::int64_t stride = 1;       ///< k of every_kth
+  double longest_wait_s = 30.0;  ///< of a message for the radio, by `paced`
 };
 void describe(SettingsVisitor& v, EdgeSettings& s);
 
@@ -41,9 +42,10 @@ struct EdgeTally {
 };
 
 /// The edge's side of the exchange: chooses the key frames that its radio can carry and makes
-/// messages of them. `paced` sends an even part of the key frames, as large as bandwidth over the
-/// need so far, and holds a frame back where the radio's queue could not take it: so the queue
-/// never overflows, and what is missing is spread evenly over the drive.
+/// messages of them. `paced` sends an even part of the key frames, as large as what the radio could
+/// have carried over what there was to carry so far, and holds a frame back where it would wait too
+/// long or the queue could not take it. So the queue never overflows, and what is missing is spread
+/// evenly over the drive.
 class EdgeSender {
  public:
   EdgeSender(const EdgeSettings& settings, const Uplink& uplink, std::uint8_t vehicle = 0);
@@ -57,15 +59,15 @@ class EdgeSender {
 
  private:
   [[nodiscard]] bool chooses(std::int64_t bytes_on_air, double time_s);
-  [[nodiscard]] bool paces(std::int64_t bytes_on_air, double time_s);
+  [[nodiscard]] bool paces(double bytes_on_air, double time_s);
 
   EdgeSettings settings_;
   Uplink uplink_;
   std::uint8_t vehicle_;
   EdgeTally tally_;
-  std::optional<double> first_time_s_;
+  double first_time_s_ = 0.0;
   double air_free_s_ = 0.0;  ///< when the radio will have sent all that it was given
-  double due_ = 0.0;         ///< frames that the even part owes
+  double due_ = 1.0;         ///< frames that the even part owes; the first one always
   double need_bytes_ = 0.0;  ///< on the air, of all frames offered
   std::uint32_t next_sequence_ = 0;
 };

@@ -30,7 +30,8 @@ inline constexpr double kRotationError_rad = 7e-5;  ///< of a quaternion in four
 enum class EncodeStatus : std::uint8_t {
   kEncoded,
   kSaturated,         ///< encoded; some coordinates lay beyond ±327.67 m and stand at the limit
-  kPoseNotEncodable,  ///< no message: the pose is not finite, or farther off than 2,147 km
+  kPoseNotEncodable,  ///< no message: the pose is not finite, no rotation, or farther off than
+                      ///< 2,147 km
   kNumberOutOfRange,  ///< no message: the frame number is below 0 or above 32 bits
   kTooManyStems,      ///< no message: more than 65,535
 };
