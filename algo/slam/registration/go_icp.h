@@ -18,12 +18,13 @@ struct GoIcpSettings {
   double search_translation_m = 5.0;  ///< of the sensor, along x and y, either way
   double inlier_share = 0.4;          ///< best part of the source points, 1 − γ
   double gap_m = 0.05;                ///< certify: largest gap in the trimmed RMSE
-  double leaf_translation_m = 1.75;   ///< l0: half side of a leaf, δ0 = L0/2
-  double leaf_yaw_deg = 4.53;         ///< l0: half width of a leaf, θ0
+  double leaf_translation_m = 0.0;    ///< l0: half side of a leaf; 0 is δ0 of the target
+  double leaf_yaw_deg = 0.0;          ///< l0: half width of a leaf; 0 is θ0 of the target
+  double range_m = 35.0;              ///< l0: R of θ0
   double time_cap_s = 1.0;            ///< wall clock; 0 is off
   std::int64_t node_cap = 0;          ///< boxes bounded; 0 is off. The same digits everywhere
   double share_distance_m = 0.35;     ///< a neighbour nearer than this counts for the share
-  double min_share = 0.25;            ///< of the overlap's source points, or the pose is refused
+  double min_share = 0.25;            ///< of the source points in the common view, or refused
   bool tilt = true;                   ///< roll, pitch and z by a last fit to the partners
 };
 void describe(SettingsVisitor& v, GoIcpSettings& s);
