@@ -34,6 +34,7 @@ void describe(SettingsVisitor& v, Scenario& s) {
   v.group("variants", [&] { describe(v, s.variants); });
   v.group("simulate", [&] { describe(v, s.simulate); });
   v.group("stands", [&] { describe(v, s.stands); });
+  v.group("slam", [&] { describe(v, s.slam_study); });
 }
 
 namespace {

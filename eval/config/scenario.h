@@ -13,6 +13,7 @@
 #include "algo/types/stem.h"
 #include "eval/config/experiment_settings.h"
 #include "eval/config/key_table.h"
+#include "eval/config/slam_settings.h"
 #include "eval/config/stand_settings.h"
 #include "sim/forest/settings.h"
 #include "sim/harvester/vehicle_settings.h"
@@ -40,6 +41,7 @@ struct Scenario {
   VariantSettings variants;
   SimulateSettings simulate;
   StandsSettings stands;
+  SlamStudySettings slam_study;
 
   std::optional<StemMap> measured;  ///< what forest.stem_map holds
 };
