@@ -1,6 +1,7 @@
 #include "algo/slam/correction/candidate_pairs.h"
 
 #include <algorithm>
+#include <cmath>
 #include <optional>
 #include <unordered_set>
 
@@ -47,6 +48,7 @@ class PairJudge {
       : frames_(frames),
         T_first_frame_(T_first_frame),
         cone_(cone),
+        overlap_(cone),
         quality_(quality),
         icp_(icp),
         by_icp_(by_icp) {}
@@ -66,7 +68,7 @@ class PairJudge {
       if (pair.overlap <= overlap_limit) return std::nullopt;
     }
     const MatchQuality match = judge_match(target_m, source_m, T_j_i, cone_, quality_);
-    if (match.points == 0) return std::nullopt;
+    if (!std::isfinite(match.error_m)) return std::nullopt;
     pair.error_m = match.error_m;
     return pair;
   }
@@ -74,14 +76,14 @@ class PairJudge {
  private:
   /// Cones whose tips are two ranges apart share nothing.
   [[nodiscard]] double overlap_of(const Pose3& T_j_i) const {
-    const Pose2 pose = planar(T_j_i);
-    if (pose.translation_m.norm() >= 2.0 * cone_.range_m) return 0.0;
-    return view_overlap(pose, cone_);
+    if (T_j_i.translation().head<2>().norm() >= 2.0 * cone_.range_m) return 0.0;
+    return overlap_(T_j_i);
   }
 
   std::span<const SparseFrame> frames_;
   const FramePoses& T_first_frame_;
   const ViewCone& cone_;
+  ViewOverlap overlap_;
   const MatchQualitySettings& quality_;
   const TrimmedIcpSettings& icp_;
   bool by_icp_;

@@ -14,6 +14,9 @@ struct ClusterSettings {
   /// Points joined up to this far. An alpha shape of radius 0.5 m joins them up to 1.0 m.
   double link_m = 1.0;
   std::int64_t min_points = 15;
+  /// Registrations are rounded to this grid before they are linked (not where they are measured);
+  /// 0: linked as they lie. A pair of grid points exactly one link apart is joined.
+  double grid_m = 0.05;
 };
 void describe(SettingsVisitor& v, ClusterSettings& s);
 
