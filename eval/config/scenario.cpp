@@ -35,6 +35,7 @@ void describe(SettingsVisitor& v, Scenario& s) {
   v.group("simulate", [&] { describe(v, s.simulate); });
   v.group("stands", [&] { describe(v, s.stands); });
   v.group("slam", [&] { describe(v, s.slam_study); });
+  v.group("link", [&] { describe(v, s.link); });
 }
 
 namespace {

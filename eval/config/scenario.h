@@ -13,6 +13,7 @@
 #include "algo/types/stem.h"
 #include "eval/config/experiment_settings.h"
 #include "eval/config/key_table.h"
+#include "eval/config/link_study_settings.h"
 #include "eval/config/slam_settings.h"
 #include "eval/config/stand_settings.h"
 #include "sim/forest/settings.h"
@@ -42,6 +43,7 @@ struct Scenario {
   SimulateSettings simulate;
   StandsSettings stands;
   SlamStudySettings slam_study;
+  LinkStudySettings link;
 
   std::optional<StemMap> measured;  ///< what forest.stem_map holds
 };
