@@ -8,53 +8,12 @@
 #include "algo/slam/correction/order.h"
 #include "algo/slam/correction/poisson_choice.h"
 #include "algo/slam/correction/update.h"
+#include "algo/slam/map_quality/live_map.h"
 #include "algo/types/check.h"
 #include "algo/types/random.h"
 
 namespace honka {
 namespace {
-
-/// The map of the loop: poses, the points they lay out, and how blurred these are.
-class LoopMap {
- public:
-  LoopMap(std::span<const SparseFrame> frames, FramePoses T_first_frame,
-          const BlurSettings& settings)
-      : frames_(frames), T_first_frame_(std::move(T_first_frame)), settings_(settings) {
-    for (const SparseFrame& frame : frames_) {
-      starts_.push_back(points_m_.size());
-      points_m_.resize(points_m_.size() + frame.points_m.size());
-    }
-    lay_out(0);
-    blur_ = honka::blur(points_m_, settings_);
-  }
-
-  [[nodiscard]] const FramePoses& poses() const { return T_first_frame_; }
-  [[nodiscard]] double blur() const { return blur_; }
-
-  /// Other poses for the frames after j; those up to j must be the same.
-  void set(FramePoses T_first_frame, std::size_t j) {
-    T_first_frame_.swap(T_first_frame);
-    lay_out(j + 1);
-    blur_ = honka::blur(points_m_, settings_);
-  }
-
- private:
-  void lay_out(std::size_t first_frame) {
-    for (std::size_t l = first_frame; l < frames_.size(); ++l) {
-      const Eigen::Matrix3d R = T_first_frame_[l].linear();
-      const Eigen::Vector3d t = T_first_frame_[l].translation();
-      auto place = points_m_.begin() + static_cast<std::ptrdiff_t>(starts_[l]);
-      for (const Eigen::Vector3d& point : frames_[l].points_m) *place++ = R * point + t;
-    }
-  }
-
-  std::span<const SparseFrame> frames_;
-  FramePoses T_first_frame_;
-  BlurSettings settings_;
-  std::vector<std::size_t> starts_;
-  std::vector<Eigen::Vector3d> points_m_;
-  double blur_ = 0.0;
-};
 
 class Stopwatch {
  public:
@@ -234,7 +193,7 @@ class PaperLoop {
   const ViewCone& cone_;
   ViewOverlap overlap_;
   const PaperLoopSettings& settings_;
-  LoopMap map_;
+  LiveMap map_;
   std::vector<double> step_errors_m_;
   FramePoses best_;
   double best_blur_ = std::numeric_limits<double>::infinity();

@@ -1,7 +1,11 @@
 #include "algo/slam/map_quality/clusters.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
+#include <tuple>
+#include <utility>
 
 #include "algo/geometry/neighbours.h"
 
@@ -18,7 +22,52 @@ void measure(TreeCluster& cluster, std::span<const Eigen::Vector3d> map_m) {
   }
 }
 
-/// Members of each cluster that is large enough; `labels` are lowest members, as indices too.
+/// The distinct grid points of a map, and the one that each of its points is rounded to.
+struct GridPoints {
+  std::vector<Eigen::Vector2d> points_m;
+  std::vector<std::uint32_t> of;
+};
+
+GridPoints rounded_to(std::span<const Eigen::Vector2d> planar_m, double grid_m) {
+  std::vector<std::pair<double, double>> cells;
+  cells.reserve(planar_m.size());
+  for (const Eigen::Vector2d& p : planar_m) {
+    cells.emplace_back(std::round(p.x() / grid_m), std::round(p.y() / grid_m));
+  }
+  std::vector<std::uint32_t> order(cells.size());
+  std::iota(order.begin(), order.end(), 0U);
+  std::sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) {
+    return std::tie(cells[a], a) < std::tie(cells[b], b);
+  });
+  GridPoints grid;
+  grid.of.resize(cells.size());
+  for (std::size_t k = 0; k < order.size(); ++k) {
+    const auto& cell = cells[order[k]];
+    if (k == 0 || cell != cells[order[k - 1]]) {
+      grid.points_m.emplace_back(cell.first * grid_m, cell.second * grid_m);
+    }
+    grid.of[order[k]] = static_cast<std::uint32_t>(grid.points_m.size() - 1);
+  }
+  return grid;
+}
+
+/// A label of each point; the same within a cluster, and below the number of points.
+std::vector<std::uint32_t> cluster_labels(std::span<const Eigen::Vector2d> planar_m,
+                                          const ClusterSettings& settings) {
+  if (!(settings.grid_m > 0.0)) {
+    return euclidean_clusters<2>(planar_m, settings.link_m, NeighbourSearch::kVoxelHash);
+  }
+  const GridPoints grid = rounded_to(planar_m, settings.grid_m);
+  // Up to the link and not only below it.
+  const double link_m = std::nextafter(settings.link_m, 2.0 * settings.link_m);
+  const auto of_grid = euclidean_clusters<2>(grid.points_m, link_m, NeighbourSearch::kVoxelHash);
+  std::vector<std::uint32_t> labels;
+  labels.reserve(planar_m.size());
+  for (const std::uint32_t point : grid.of) labels.push_back(of_grid[point]);
+  return labels;
+}
+
+/// Members of each cluster that is large enough; in order of their first.
 std::vector<TreeCluster> gather(std::span<const std::uint32_t> labels,
                                 std::span<const std::uint32_t> map_index, std::int64_t min_points) {
   std::vector<std::int64_t> sizes(labels.size(), 0);
@@ -45,6 +94,9 @@ void describe(SettingsVisitor& v, ClusterSettings& s) {
           s.link_m, Range{0.001, 100.0});
   v.field({"min_points", "", "registrations that make a tree", "Nevalainen2021 §2.5"}, s.min_points,
           Range{1.0, 1e9});
+  v.field({"grid_m", "m", "registrations are rounded to this grid before they are linked; 0: none",
+           "choice: below the noise of a registration"},
+          s.grid_m, Range{0.0, 1.0});
 }
 
 double TreeCluster::rmse_m() const {
@@ -63,8 +115,8 @@ std::vector<TreeCluster> tree_clusters(std::span<const Eigen::Vector3d> map_m,
     map_index.push_back(p);
   }
   if (planar_m.empty()) return {};
-  const auto labels = euclidean_clusters<2>(planar_m, settings.link_m, NeighbourSearch::kVoxelHash);
-  std::vector<TreeCluster> clusters = gather(labels, map_index, settings.min_points);
+  std::vector<TreeCluster> clusters =
+      gather(cluster_labels(planar_m, settings), map_index, settings.min_points);
   for (TreeCluster& cluster : clusters) measure(cluster, map_m);
   return clusters;
 }
