@@ -32,10 +32,10 @@ void describe(SettingsVisitor& v, ChainSettings& s) {
   v.field({"max_iterations", "", "ICP steps at most", "Matlab R2020b: pcregistericp, 30"},
           s.max_iterations, Range{1.0, 1e4});
   v.field({"tolerance_m", "m", "mean movement of the last three ICP steps that ends it",
-           "choice: reaches the fixed point; Matlab has 0.01"},
+           "Matlab: pcregistericp, 0.01"},
           s.tolerance_m, Range{0.0, 10.0});
   v.field({"tolerance_deg", "deg", "mean turn of the last three ICP steps that ends it",
-           "choice: reaches the fixed point; Matlab has 0.5"},
+           "Matlab: pcregistericp, 0.5"},
           s.tolerance_deg, Range{0.0, 180.0});
   v.field({"guess", "", "where the ICP between neighbours starts: no motion, or the last step's",
            "choice: pcregistericp starts without one"},

@@ -14,8 +14,8 @@ namespace honka {
 struct ChainSettings {
   double inlier_ratio = 0.95;  ///< of the trimmed ICP between neighbours
   std::int64_t max_iterations = 30;
-  double tolerance_m = 0.002;
-  double tolerance_deg = 0.01;
+  double tolerance_m = 0.01;
+  double tolerance_deg = 0.5;
   std::string guess = "identity";                 ///< identity | constant_velocity
   std::string failed_step = "constant_velocity";  ///< identity | constant_velocity
 };

@@ -10,47 +10,60 @@
 namespace honka {
 namespace {
 
-/// An edge of a triangle seen from the triangle: k is opposite. Each inner edge is seen twice.
-struct TriangleEdge {
-  std::size_t from, to;
-  bool on_hull;
-};
+/// Per point: the mean length of its Delaunay edges, 0 for a point without.
+std::vector<double> mean_edge_lengths_m(const DelaunayGraph& graph) {
+  const std::vector<Eigen::Vector2d>& places = graph.vertices;
+  std::vector<double> sum_m(places.size(), 0.0), edges(places.size(), 0.0);
+  for (const DelaunayTriangle& triangle : graph.triangles) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      const auto from = static_cast<std::size_t>(triangle.vertices[(k + 1) % 3]);
+      const auto to = static_cast<std::size_t>(triangle.vertices[(k + 2) % 3]);
+      // An inner edge is met twice, once from each of its triangles.
+      const double weight = triangle.neighbours[k] < 0 ? 1.0 : 0.5;
+      const double length_m = (places[from] - places[to]).norm();
+      for (const std::size_t vertex : {from, to}) {
+        sum_m[vertex] += weight * length_m;
+        edges[vertex] += weight;
+      }
+    }
+  }
+  for (std::size_t p = 0; p < places.size(); ++p) sum_m[p] /= std::max(edges[p], 1.0);
+  return sum_m;
+}
 
-TriangleEdge edge_opposite(const DelaunayTriangle& triangle, std::size_t k) {
-  return {static_cast<std::size_t>(triangle.vertices[(k + 1) % 3]),
-          static_cast<std::size_t>(triangle.vertices[(k + 2) % 3]), triangle.neighbours[k] < 0};
+/// Per point: whether it or one of its natural neighbours is on the hull.
+std::vector<bool> on_rim(const DelaunayGraph& graph) {
+  std::vector<bool> rim(graph.vertices.size(), false);
+  for (const DelaunayTriangle& triangle : graph.triangles) {
+    for (const std::int32_t corner : triangle.vertices) {
+      if (graph.on_hull[static_cast<std::size_t>(corner)] == 0) continue;
+      for (const std::int32_t v : triangle.vertices) rim[static_cast<std::size_t>(v)] = true;
+    }
+  }
+  return rim;
 }
 
 }  // namespace
 
-double mean_neighbour_distance_m(std::span<const Eigen::Vector3d> points_m, HullEdges hull) {
+double mean_neighbour_distance_m(std::span<const Eigen::Vector3d> points_m, Periphery periphery) {
   std::vector<Eigen::Vector2d> places;
   places.reserve(points_m.size());
   for (const Eigen::Vector3d& p : points_m) {
     if (p.allFinite()) places.emplace_back(p.head<2>());
   }
   const DelaunayGraph graph = build_delaunay(places);
-  std::vector<double> sum_m(places.size(), 0.0), edges(places.size(), 0.0);
-  for (const DelaunayTriangle& triangle : graph.triangles) {
-    for (std::size_t k = 0; k < 3; ++k) {
-      const TriangleEdge edge = edge_opposite(triangle, k);
-      if (edge.on_hull && hull == HullEdges::kLeftOut) continue;
-      const double weight = edge.on_hull ? 1.0 : 0.5;
-      const double length_m = (places[edge.from] - places[edge.to]).norm();
-      for (const std::size_t vertex : {edge.from, edge.to}) {
-        sum_m[vertex] += weight * length_m;
-        edges[vertex] += weight;
-      }
-    }
-  }
+  const std::vector<double> length_m = mean_edge_lengths_m(graph);
+  const std::vector<bool> rim = on_rim(graph);
   // Nevalainen2021 Eq. (23)
-  double mean_sum_m = 0.0, counted = 0.0;
+  double sum_m = 0.0, counted = 0.0;
   for (std::size_t p = 0; p < places.size(); ++p) {
-    if (edges[p] == 0.0) continue;
-    mean_sum_m += sum_m[p] / edges[p];
+    if (length_m[p] == 0.0 || (periphery == Periphery::kLeftOut && rim[p])) continue;
+    sum_m += length_m[p];
     counted += 1.0;
   }
-  return counted == 0.0 ? 0.0 : mean_sum_m / counted;
+  if (counted > 0.0) return sum_m / counted;
+  return periphery == Periphery::kLeftOut ? mean_neighbour_distance_m(points_m, Periphery::kCounted)
+                                          : 0.0;
 }
 
 ConvergenceLimits convergence_limits(double mean_neighbour_distance_m, double outlier_ratio,

@@ -7,15 +7,16 @@
 
 namespace honka {
 
-/// Whether edges between two points of the convex hull count for L0: they are long and join no
-/// neighbours.
-enum class HullEdges { kLeftOut, kCounted };
+/// Whether the rim of a cloud counts for L0: the points of the convex hull and their natural
+/// neighbours, whose edges are long because nothing is seen beyond.
+enum class Periphery { kLeftOut, kCounted };
 
 /// L0: the mean over the points of their mean distance to their natural neighbours, those that an
-/// edge of the planar Delaunay triangulation joins them to. 0 where no triangle exists.
+/// edge of the planar Delaunay triangulation joins them to. Where the whole cloud is rim, all of it
+/// counts; 0 where there is no triangle. Points that are not finite are left out.
 /// Source: Nevalainen2021 Eq. (23).
 [[nodiscard]] double mean_neighbour_distance_m(std::span<const Eigen::Vector3d> points_m,
-                                               HullEdges hull = HullEdges::kLeftOut);
+                                               Periphery periphery = Periphery::kLeftOut);
 
 /// How far a guess may be off for a simple ICP to find the match: half axes of an ellipsoid.
 struct ConvergenceLimits {

@@ -82,7 +82,7 @@ IcpStep step_between(const Pose3& before, const Pose3& after) {
   const Eigen::Matrix3d turn = before.linear().transpose() * after.linear();
   const Eigen::Vector3d twice_sine(turn(2, 1) - turn(1, 2), turn(0, 2) - turn(2, 0),
                                    turn(1, 0) - turn(0, 1));
-  return {(after.translation() - before.translation()).norm(),
+  return {(after * before.inverse()).translation().norm(),
           std::atan2(0.5 * twice_sine.norm(), 0.5 * (turn.trace() - 1.0))};
 }
 
