@@ -12,6 +12,8 @@
 namespace honka {
 namespace {
 
+/// No map reaches this far; beyond it, cells of some centimetres run out of numbers.
+constexpr double kFarthest_m = 1e7;
 constexpr std::uint32_t kNoCluster = std::numeric_limits<std::uint32_t>::max();
 
 void measure(TreeCluster& cluster, std::span<const Eigen::Vector3d> map_m) {
@@ -110,7 +112,7 @@ std::vector<TreeCluster> tree_clusters(std::span<const Eigen::Vector3d> map_m,
   planar_m.reserve(map_m.size());
   map_index.reserve(map_m.size());
   for (std::uint32_t p = 0; p < map_m.size(); ++p) {
-    if (!map_m[p].allFinite()) continue;
+    if (!map_m[p].allFinite() || map_m[p].cwiseAbs().maxCoeff() > kFarthest_m) continue;
     planar_m.emplace_back(map_m[p].head<2>());
     map_index.push_back(p);
   }

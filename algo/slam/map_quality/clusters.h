@@ -29,8 +29,8 @@ struct TreeCluster {
   [[nodiscard]] double rmse_m() const;
 };
 
-/// The clusters of at least `min_points`, in order of their first point. Points that are not finite
-/// belong to none. Distances are planar. Source: Nevalainen2021 §2.5.
+/// The clusters of at least `min_points`, in order of their first point. Points that are not
+/// finite, or 10,000 km away, belong to none. Distances are planar. Source: Nevalainen2021 §2.5.
 [[nodiscard]] std::vector<TreeCluster> tree_clusters(std::span<const Eigen::Vector3d> map_m,
                                                      const ClusterSettings& settings);
 
