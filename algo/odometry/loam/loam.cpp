@@ -152,12 +152,13 @@ void LoamOdometry::map_key_frame(const LoamFeatures& features, LoamRegistration&
 /// The state for the next sweep.
 void LoamOdometry::carry_on(const LoamFeatures& features, const LoamRegistration& found,
                             Judgement judgement) {
-  constexpr std::int64_t kMostLost = 5;      // then what is seen is the map to go on with
-  constexpr std::int64_t kMostCoasted = 10;  // a second, as over a gap
-  constexpr double kMemory = 0.05;           // of the usual share: twenty sweeps
+  constexpr std::int64_t kMostLost = 5;  // then what is seen is the map to go on with
+  constexpr double kMemory = 0.05;       // of the usual share: twenty sweeps
   if (judgement.status == OdometryStatus::kPredicted) {
     motion_.T_odom_last = motion_.predicted();
-    if (++lost_sweeps_ >= kMostCoasted) motion_.last_twist.setZero();
+    ++lost_sweeps_;
+    coasted_periods_ += motion_.periods;
+    if (coasted_periods_ >= kMostCoastedPeriods) motion_.last_twist.setZero();
     const bool seen = features.edges.size() + features.planes.size() >= kLeastMatches;
     if (seen && lost_sweeps_ >= kMostLost) {
       map_.add(features, DeskewedFeatures(features, motion_.last_twist), motion_.T_odom_last,
@@ -167,6 +168,7 @@ void LoamOdometry::carry_on(const LoamFeatures& features, const LoamRegistration
     return;
   }
   lost_sweeps_ = 0;
+  coasted_periods_ = 0.0;
   last_registration_ = found;
   motion_.last_twist = sweep_twist(motion_, found.T_odom_lidar, settings_, model_);
   motion_.T_odom_last = found.T_odom_lidar;

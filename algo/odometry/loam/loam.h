@@ -55,6 +55,7 @@ class LoamOdometry : public Odometry {
   LoamMotion motion_;
   double usual_share_ = 0.0;      ///< of edges close to their line
   std::int64_t lost_sweeps_ = 0;  ///< without a registration, in a row
+  double coasted_periods_ = 0.0;  ///< revolutions since the last registration
   LoamRegistration last_registration_;
   OdometryEstimate last_;
 };

@@ -7,8 +7,7 @@
 namespace honka {
 
 Pose3 LoamMotion::predicted() const {
-  constexpr double kMostPeriods = 10.0;
-  return T_odom_last * se3_exp(std::min(periods, kMostPeriods) * last_twist);
+  return T_odom_last * se3_exp(std::min(periods, kMostCoastedPeriods) * last_twist);
 }
 
 Twist LoamMotion::twist_to(const Pose3& T_odom_lidar) const {

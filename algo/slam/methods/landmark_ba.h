@@ -16,8 +16,8 @@ struct LandmarkBaSettings {
   double robust_scale = 3.0;  ///< Cauchy loss, in standard deviations
   double chain_m = 0.2;       ///< weak tie between neighbours: it holds what no stem holds
   double chain_deg = 1.0;
-  std::int64_t rounds = 3;      ///< associations, each with its own adjustment
-  std::int64_t iterations = 4;  ///< Gauss–Newton steps of a round
+  std::int64_t rounds = 2;      ///< associations, each with its own adjustment
+  std::int64_t iterations = 3;  ///< Gauss–Newton steps of a round
 };
 void describe(SettingsVisitor& v, LandmarkBaSettings& s);
 

@@ -16,9 +16,9 @@ namespace honka {
 struct RechainSettings {
   double inlier_ratio = 0.4;       ///< of the trimmed ICP
   double polish_distance_m = 0.4;  ///< pairs nearer than this in the plane are all fitted at last
-  double min_share = 0.5;          ///< of the common view's points with a partner; below: no match
-  double search_distance_m = 2.5;  ///< half side of the search around the prediction
-  double search_turn_deg = 24.0;   ///< half of the headings tried
+  double min_share = 0.4;          ///< of the common view's points with a partner; below: no match
+  double search_distance_m = 3.5;  ///< half side of the search around the prediction
+  double search_turn_deg = 44.0;   ///< half of the headings tried
   double search_step_m = 0.7;      ///< of its lattice
   double search_step_deg = 4.0;
 };

@@ -36,6 +36,10 @@ struct StemMap3 {
   std::vector<StemObservation> observations;  ///< by frame, then by point
 };
 
+/// Sets `rmse_m` of each stem from its observations and its position.
+void measure_scatter(StemMap3& map, std::span<const SparseFrame> frames,
+                     const FramePoses& T_first_frame);
+
 /// Gathers the points of all frames into stems: clusters of the plane, each frame giving at most
 /// one point, its nearest, to a stem. Points in no stem are left out. Deterministic.
 [[nodiscard]] StemMap3 build_stem_map(std::span<const SparseFrame> frames,

@@ -9,6 +9,8 @@ using namespace honka::stem_world;
 
 TEST_CASE("loam input: after a gap longer than velocity is trusted for, it looks around") {
   OdometryUnderTest d("loam");
+  d.way = steady(pose_from_rpy({-8.0, 0.0, 1.5}, 0.01, -0.01, 0.0),
+                 (Twist() << 1.0, 0, 0, 0, 0, 0.05).finished());
   d.drive(0, 20);
   const OdometryEstimate before = d.at(2.0);
   const OdometryEstimate far = d.at(6.0);
