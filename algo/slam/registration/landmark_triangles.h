@@ -1,0 +1,42 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <array>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "algo/types/pose.h"
+
+namespace honka {
+
+/// A triangle of neighbouring stems in the plane: sides from the longest, and the corners opposite
+/// to them.
+struct LandmarkTriangle {
+  std::array<double, 3> sides_m{};
+  std::array<std::uint32_t, 3> corners{};
+  bool is_counter_clockwise = false;
+};
+
+/// Every triangle of a stem and two of its `neighbours` nearest, once; by rising longest side.
+[[nodiscard]] std::vector<LandmarkTriangle> landmark_triangles(
+    std::span<const Eigen::Vector2d> points_m, std::int64_t neighbours);
+
+/// The poses T_target_source that lay a source triangle on a target triangle whose sides differ by
+/// at most `tolerance_m` and which turns the same way. Both lists by rising longest side. A source
+/// triangle that is like very many (a planted grid) votes for the first of them.
+[[nodiscard]] std::vector<Pose2> triangle_votes(std::span<const Eigen::Vector2d> target_m,
+                                                std::span<const LandmarkTriangle> of_target,
+                                                std::span<const Eigen::Vector2d> source_m,
+                                                std::span<const LandmarkTriangle> of_source,
+                                                double tolerance_m);
+
+/// The planar motion of least squares for pairs of equal index. At least one pair.
+[[nodiscard]] Pose2 fit_planar(std::span<const Eigen::Vector2d> target_m,
+                               std::span<const Eigen::Vector2d> source_m);
+
+/// The middles of the places in pose space (3°, 1 m) with the most votes, the most first, none
+/// beside another. At most `count`.
+[[nodiscard]] std::vector<Pose2> most_voted(std::span<const Pose2> votes, std::size_t count);
+
+}  // namespace honka
