@@ -1,6 +1,6 @@
 #include "algo/slam/registration/share_test.h"
 
-#include <Eigen/Eigenvalues>
+#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -68,7 +68,9 @@ Pose3 level(const HeightDifferences& difference) {
     spread += at * at.transpose();
     slope_sum += at * (difference.above_m[i] - up);
   }
-  const double narrow = Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d>(spread).eigenvalues()(0);
+  const double half_trace = 0.5 * spread.trace();  // the lesser eigenvalue follows
+  const double narrow =
+      half_trace - std::sqrt(std::max(half_trace * half_trace - spread.determinant(), 0.0));
   if (narrow < n * kTiltLever_m * kTiltLever_m) return correction;
   const Eigen::Vector2d slope = spread.inverse() * slope_sum;
   const double angle = std::atan(slope.norm());
