@@ -15,6 +15,7 @@
 #include "algo/slam/methods/rechain.h"
 #include "algo/slam/methods/stem_map.h"
 #include "algo/slam/methods/verified_pairs.h"
+#include "algo/slam/paper_loop.h"
 #include "algo/slam/sparse_frame.h"
 #include "algo/slam/view_cone.h"
 #include "algo/types/settings.h"
@@ -36,6 +37,7 @@ struct SlamSettings {
   ViewCone view;
   MatchQualitySettings match;
   ChainSettings chain;
+  PaperLoopSettings loop;
   RechainSettings rechain;
   VerifiedPairsSettings pairs;
   InterpolatePairsSettings interpolate;
@@ -47,8 +49,8 @@ void describe(SettingsVisitor& v, SlamSettings& s);
 
 /// What became of a frame.
 enum class FrameStatus : std::uint8_t {
-  kPlaced,        ///< its stems hold it
-  kUnverified,    ///< the step to it could not be verified; it hangs on a prediction
+  kPlaced,        ///< at its pose it passes the share test against a neighbour
+  kUnverified,    ///< it does not: it hangs on its neighbours' poses alone
   kTooFewPoints,  ///< fewer than three distinct stems, or all on one line
   kNotFinite,     ///< it held NaN or infinity; those points were left out
 };
@@ -67,8 +69,9 @@ struct SlamResult {
   FramePoses T_first_frame;
   std::vector<FrameStatus> frames;
   std::vector<MapStem> stems;
-  std::vector<PairMatch> matches;  ///< corrective matches that were used
-  std::size_t corrections = 0;     ///< updates that were made with them
+  std::vector<PairMatch> matches;  ///< verified matches that were used (not by `paper`)
+  std::size_t corrections = 0;     ///< matches that moved the map
+  std::size_t bad_steps = 0;       ///< of the re-registered chain: steps that failed their test
   std::size_t icp_calls = 0;       ///< for corrective matches
   std::size_t go_icp_calls = 0;
   std::vector<StageTime> times;
@@ -80,6 +83,9 @@ class SlamObserver {
   virtual ~SlamObserver() = default;
   /// The poses after a stage (chain, rechain, …).
   virtual void after_stage(std::string_view /*stage*/, const FramePoses& /*T_first_frame*/) {}
+  /// After each pair that the paper's loop chose, with the map as it then stands.
+  virtual void after_correction(const CorrectionReport& /*report*/,
+                                const FramePoses& /*T_first_frame*/) {}
 };
 
 /// chain | paper | interpolate | pose_graph | landmark_ba
@@ -87,12 +93,15 @@ class SlamObserver {
 
 /// Lays all frames into one map.
 ///
-/// `T_first_frame_chain`: the edge's own chain, one pose a frame; without it the chain is made by
-/// ChainSettings. Frames may hold any points, also none, and also NaN: such points are left out and
-/// the frame says so. Throws UserError at an unknown method or start, no frames, a chain of another
-/// length or with a pose that is not finite.
+/// `T_first_frame_chain`: the edge's own chain, one pose a frame (moved so that the first is the
+/// identity); without it the chain is made by ChainSettings. Frames may hold any points, also none,
+/// and also NaN or some beyond 1 km: such points are left out and the frame says so. The digits
+/// depend on the arguments alone; the seed counts for `paper` alone. Throws UserError at an unknown
+/// method or start, no frames, numbers of frames that do not rise, or a chain of another length or
+/// with a pose that is not finite.
 [[nodiscard]] SlamResult run_slam(std::span<const SparseFrame> frames,
                                   const std::optional<FramePoses>& T_first_frame_chain,
-                                  const SlamSettings& settings, SlamObserver* observer = nullptr);
+                                  const SlamSettings& settings, SlamObserver* observer = nullptr,
+                                  std::uint64_t seed = 0);
 
 }  // namespace honka

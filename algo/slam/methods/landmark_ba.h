@@ -31,10 +31,13 @@ struct LandmarkBaResult {
 };
 
 /// Moves all poses but the first, and all stems, so that the observations fit best; associates
-/// again and repeats. Source: choice, beyond Nevalainen2021.
+/// again and repeats. Frames at `drive_starts` (positions, rising; the first need not be named) are
+/// not tied to the one before them: there another vehicle's drive begins.
+/// Source: choice, beyond Nevalainen2021.
 [[nodiscard]] LandmarkBaResult adjust_landmarks(std::span<const SparseFrame> frames,
                                                 const FramePoses& T_first_frame,
                                                 const StemMapSettings& map_settings,
-                                                const LandmarkBaSettings& settings);
+                                                const LandmarkBaSettings& settings,
+                                                std::span<const std::size_t> drive_starts = {});
 
 }  // namespace honka
