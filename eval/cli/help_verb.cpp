@@ -24,6 +24,7 @@ Verbs
   run SCENARIO         tables, figures and report into results/
   simulate SCENARIO    record scans and truth (HDF5)
   locate MAP LOCAL…    the pose of each local stem list in the map
+  register TARGET SOURCE          lay one sparse cloud onto another
   score RECORDING POSES [STEMS]   judge poses and stems made elsewhere
   evaluate TRUTH ESTIMATE         APE and RPE of a trajectory (TUM, KITTI)
   report DIR           write report.html of a results folder anew
@@ -69,6 +70,24 @@ origin and x ahead. The answer is T_map_local: x_map = R(yaw) x_local + t. Refus
 matches, agreeing, inliers, margin, time_ms; map_ms in the first.
 )";
 
+constexpr const char* kRegister =
+    R"(honka register TARGET SOURCE --method icp|go_icp|landmarks [--mode certify|l0]
+               [--inlier-share 0.4] [--json]
+
+Lays the cloud SOURCE onto the cloud TARGET: x_target = R x_source + t. A cloud is a CSV file with
+a header x_m,y_m or x_m,y_m,z_m (x,y,z too), one stem a row; without heights z is 0.
+icp        trimmed ICP from the identity: for clouds that nearly fit already
+go_icp     the best pose within 30 degrees and 5 m of the identity, by branch and bound.
+           --mode certify proves that nothing there has an RMSE better by more than 0.05 m;
+           --mode l0 tries ICP in every cell of a grid set by the distance between the stems
+landmarks  any pose, without a guess: triangles of neighbouring stems vote
+--inlier-share  part of SOURCE taken to have partners; the RMSE is over the best such part
+status     registered; unverified: too few stems within 0.35 m of another; time_cap: the best of
+           1 s, without a proof; too_few_points: under three, or on one line
+--json     method, status, T_target_source (16 numbers by rows), rmse_m, overlap, inliers, share,
+           lower_bound_m, gap_m, certified, nodes, time_ms
+)";
+
 constexpr const char* kEvaluate =
     R"(honka evaluate TRUTH ESTIMATE [--format tum|kitti] [--align none|origin|yaw|se2|se3|sim3]
                [--max-time-difference 0.02] [--delta 1s|10m|1f] [--all-pairs] [--json]
@@ -111,7 +130,7 @@ int help_verb(const std::string& topic) {
       {"", kOverview},         {"scenarios", kScenarios}, {"scenario", kScenarios},
       {"run", kScenarios},     {"formats", kFormats},     {"simulate", kFormats},
       {"report", kFormats},    {"score", kFormats},       {"locate", kLocate},
-      {"evaluate", kEvaluate},
+      {"evaluate", kEvaluate}, {"register", kRegister},
   };
   if (topic == "experiments") {
     print_experiments();

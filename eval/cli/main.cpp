@@ -3,6 +3,7 @@
 #include <exception>
 #include <functional>
 
+#include "algo/slam/registration/register.h"
 #include "algo/types/user_error.h"
 #include "eval/cli/verbs.h"
 #include "eval/io/interruption.h"
@@ -59,6 +60,20 @@ void add_locate(CLI::App& app, LocateArguments& arguments, Action& action) {
   verb.callback([&] { action = [&] { return locate_verb(arguments); }; });
 }
 
+void add_register(CLI::App& app, RegisterArguments& arguments, Action& action) {
+  auto& verb = *app.add_subcommand("register", "lay one sparse cloud onto another");
+  verb.add_option("TARGET", arguments.target, "cloud that stays (CSV)")->required();
+  verb.add_option("SOURCE", arguments.source, "cloud that is moved (CSV)")->required();
+  verb.add_option("--method", arguments.method, "icp, go_icp or landmarks")
+      ->required()
+      ->check(CLI::IsMember(registration_methods()));
+  verb.add_option("--mode", arguments.mode, "of go_icp: certify or l0")
+      ->check(CLI::IsMember({"certify", "l0"}));
+  verb.add_option("--inlier-share", arguments.inlier_share, "part of SOURCE that has partners");
+  verb.add_flag("--json", arguments.json, "one JSON object");
+  verb.callback([&] { action = [&] { return register_verb(arguments); }; });
+}
+
 void add_score(CLI::App& app, ScoreArguments& arguments, Action& action) {
   auto& verb = *app.add_subcommand("score", "judge a result made elsewhere against a recording");
   verb.add_option("RECORDING", arguments.recording, "recording with truth (.h5)")->required();
@@ -112,6 +127,7 @@ int parse_and_act(int argc, char** argv) {
   SimulateArguments simulate;
   LocateArguments locate;
   ScoreArguments score;
+  RegisterArguments registration;
   EvaluateArguments evaluate;
   ScenarioVerbArguments scenario;
   std::filesystem::path report_folder;
@@ -120,6 +136,7 @@ int parse_and_act(int argc, char** argv) {
   add_run(app, run, action);
   add_simulate(app, simulate, action);
   add_locate(app, locate, action);
+  add_register(app, registration, action);
   add_score(app, score, action);
   add_evaluate(app, evaluate, action);
   add_scenario(app, scenario, action);

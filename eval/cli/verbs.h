@@ -37,6 +37,14 @@ struct LocateArguments {
   bool json = false;
 };
 
+struct RegisterArguments {
+  std::filesystem::path target, source;
+  std::string method;
+  std::string mode = "certify";
+  double inlier_share = 0.4;
+  bool json = false;
+};
+
 struct ScoreArguments {
   std::filesystem::path recording, poses, stems;
 };
@@ -56,6 +64,7 @@ struct EvaluateArguments {
 int run_verb(const RunArguments& arguments);
 int simulate_verb(const SimulateArguments& arguments);
 int locate_verb(const LocateArguments& arguments);
+int register_verb(const RegisterArguments& arguments);
 int score_verb(const ScoreArguments& arguments);
 int evaluate_verb(const EvaluateArguments& arguments);
 int report_verb(const std::filesystem::path& folder);
