@@ -65,6 +65,16 @@ std::vector<Pose3> read_kitti(const std::filesystem::path& path) {
   return poses;
 }
 
+std::vector<Pose3> read_pose_rows(const std::filesystem::path& path, std::string_view text) {
+  const bool commas = text.find(',') != std::string_view::npos;
+  std::vector<Pose3> poses;
+  for (const CellRow& row : split_rows(text, commas ? Separator::kComma : Separator::kBlank)) {
+    poses.push_back(pose_in(path, row));
+  }
+  if (poses.empty()) throw UserError(path.string() + ": no poses; give rows of 12 numbers [R|t]");
+  return poses;
+}
+
 void write_kitti(const std::filesystem::path& path, const std::vector<Pose3>& poses) {
   std::string text;
   for (const Pose3& pose : poses) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <string_view>
 #include <vector>
 
 #include "algo/types/pose.h"
@@ -13,6 +14,10 @@ namespace honka::eval {
 /// row of another width, a cell that is no finite number, a matrix that is no rotation, or no
 /// poses.
 [[nodiscard]] std::vector<Pose3> read_kitti(const std::filesystem::path& path);
+
+/// The same rows in a text that came from `path`, separated by commas or by blanks.
+[[nodiscard]] std::vector<Pose3> read_pose_rows(const std::filesystem::path& path,
+                                                std::string_view text);
 
 /// Writes KITTI rows at full precision: read_kitti gives the same poses back. Written safely.
 void write_kitti(const std::filesystem::path& path, const std::vector<Pose3>& poses);
