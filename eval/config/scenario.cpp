@@ -34,7 +34,10 @@ void describe(SettingsVisitor& v, Scenario& s) {
   v.group("variants", [&] { describe(v, s.variants); });
   v.group("simulate", [&] { describe(v, s.simulate); });
   v.group("stands", [&] { describe(v, s.stands); });
-  v.group("slam", [&] { describe(v, s.slam_study); });
+  v.group("slam", [&] {
+    describe(v, s.slam);
+    describe(v, s.slam_study);
+  });
   v.group("link", [&] { describe(v, s.link); });
 }
 

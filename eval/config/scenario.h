@@ -8,6 +8,7 @@
 
 #include "algo/localize/matcher.h"
 #include "algo/odometry/key_frames.h"
+#include "algo/slam/slam.h"
 #include "algo/stems/extract.h"
 #include "algo/types/settings.h"
 #include "algo/types/stem.h"
@@ -42,6 +43,7 @@ struct Scenario {
   VariantSettings variants;
   SimulateSettings simulate;
   StandsSettings stands;
+  SlamSettings slam;
   SlamStudySettings slam_study;
   LinkStudySettings link;
 

@@ -20,8 +20,8 @@ constexpr std::int64_t kSweepsAtOnce = 128;
 
 KeyFrameSettings slam_key_frames(const Scenario& scenario) {
   KeyFrameSettings settings = scenario.frame;
-  settings.distance_m = scenario.slam_study.keyframe.distance_m;
-  settings.angle_deg = scenario.slam_study.keyframe.angle_deg;
+  settings.distance_m = scenario.slam.keyframe.distance_m;
+  settings.angle_deg = scenario.slam.keyframe.angle_deg;
   return settings;
 }
 
