@@ -71,6 +71,36 @@ bool are_alike(const LandmarkTriangle& a, const LandmarkTriangle& b, double tole
          std::abs(a.sides_m[2] - b.sides_m[2]) <= tolerance_m;
 }
 
+/// Least squares over the three corners.
+TriangleVote vote_of(std::span<const Eigen::Vector2d> target_m, const LandmarkTriangle& t,
+                     std::span<const Eigen::Vector2d> source_m, const LandmarkTriangle& s) {
+  std::array<Eigen::Vector2d, 3> to, from;
+  for (std::size_t c = 0; c < 3; ++c) {
+    to[c] = target_m[t.corners[c]];
+    from[c] = source_m[s.corners[c]];
+  }
+  const Eigen::Vector2d to_middle = (to[0] + to[1] + to[2]) / 3.0;
+  const Eigen::Vector2d from_middle = (from[0] + from[1] + from[2]) / 3.0;
+  double dot = 0.0;
+  double cross = 0.0;
+  for (std::size_t c = 0; c < 3; ++c) {
+    const Eigen::Vector2d p = from[c] - from_middle;
+    const Eigen::Vector2d q = to[c] - to_middle;
+    dot += p.x() * q.x() + p.y() * q.y();
+    cross += p.x() * q.y() - p.y() * q.x();
+  }
+  TriangleVote vote;
+  const double length = std::sqrt(dot * dot + cross * cross);
+  if (length > 0.0) {
+    vote.cosine = dot / length;
+    vote.sine = cross / length;
+  }
+  vote.yaw_rad = std::atan2(vote.sine, vote.cosine);
+  vote.shift_m.x() = to_middle.x() - (vote.cosine * from_middle.x() - vote.sine * from_middle.y());
+  vote.shift_m.y() = to_middle.y() - (vote.sine * from_middle.x() + vote.cosine * from_middle.y());
+  return vote;
+}
+
 /// The place of a vote in a table of places.
 struct VotePlace {
   std::int64_t turn = 0, x = 0, y = 0;
@@ -79,11 +109,11 @@ struct VotePlace {
 
 constexpr std::int64_t kVoteTurns = static_cast<std::int64_t>(360.0 / kVoteTurn_deg);
 
-VotePlace place_of(const Pose2& vote) {
+VotePlace place_of(const TriangleVote& vote) {
   const double turn = (vote.yaw_rad + std::numbers::pi) / (2.0 * std::numbers::pi);
   return {std::min(static_cast<std::int64_t>(turn * kVoteTurns), kVoteTurns - 1),
-          static_cast<std::int64_t>(std::floor(vote.translation_m.x() / kVoteShift_m)),
-          static_cast<std::int64_t>(std::floor(vote.translation_m.y() / kVoteShift_m))};
+          static_cast<std::int64_t>(std::floor(vote.shift_m.x() / kVoteShift_m)),
+          static_cast<std::int64_t>(std::floor(vote.shift_m.y() / kVoteShift_m))};
 }
 
 /// Places with their votes: a hash table of fixed size with open addresses.
@@ -102,7 +132,7 @@ class VoteTable {
     Eigen::Vector2d shift_m = Eigen::Vector2d::Zero();
   };
 
-  void add(const Pose2& vote) {
+  void add(const TriangleVote& vote) {
     const VotePlace place = place_of(vote);
     std::uint32_t& slot = slots_[slot_of(place)];
     if (slot == kFree) {
@@ -111,9 +141,9 @@ class VoteTable {
     }
     Entry& entry = entries_[slot];
     ++entry.votes;
-    entry.sine += std::sin(vote.yaw_rad);
-    entry.cosine += std::cos(vote.yaw_rad);
-    entry.shift_m += vote.translation_m;
+    entry.sine += vote.sine;
+    entry.cosine += vote.cosine;
+    entry.shift_m += vote.shift_m;
   }
 
   [[nodiscard]] const Entry* find(const VotePlace& place) const {
@@ -211,11 +241,12 @@ Pose2 fit_planar(std::span<const Eigen::Vector2d> target_m,
   return fit;
 }
 
-std::vector<Pose2> triangle_votes(std::span<const Eigen::Vector2d> target_m,
-                                  std::span<const LandmarkTriangle> of_target,
-                                  std::span<const Eigen::Vector2d> source_m,
-                                  std::span<const LandmarkTriangle> of_source, double tolerance_m) {
-  std::vector<Pose2> votes;
+std::vector<TriangleVote> triangle_votes(std::span<const Eigen::Vector2d> target_m,
+                                         std::span<const LandmarkTriangle> of_target,
+                                         std::span<const Eigen::Vector2d> source_m,
+                                         std::span<const LandmarkTriangle> of_source,
+                                         double tolerance_m) {
+  std::vector<TriangleVote> votes;
   std::size_t begin = 0;
   for (const LandmarkTriangle& s : of_source) {
     while (begin < of_target.size() && of_target[begin].sides_m[0] < s.sides_m[0] - tolerance_m) {
@@ -227,20 +258,15 @@ std::vector<Pose2> triangle_votes(std::span<const Eigen::Vector2d> target_m,
       if (t.sides_m[0] > s.sides_m[0] + tolerance_m) break;
       if (!are_alike(s, t, tolerance_m)) continue;
       ++alike;
-      std::array<Eigen::Vector2d, 3> to, from;
-      for (std::size_t c = 0; c < 3; ++c) {
-        to[c] = target_m[t.corners[c]];
-        from[c] = source_m[s.corners[c]];
-      }
-      votes.push_back(fit_planar(to, from));
+      votes.push_back(vote_of(target_m, t, source_m, s));
     }
   }
   return votes;
 }
 
-std::vector<Pose2> most_voted(std::span<const Pose2> votes, std::size_t count) {
+std::vector<Pose2> most_voted(std::span<const TriangleVote> votes, std::size_t count) {
   VoteTable table(votes.size());
-  for (const Pose2& vote : votes) table.add(vote);
+  for (const TriangleVote& vote : votes) table.add(vote);
   // The places that a true one must be among, before their neighbours are counted too.
   constexpr std::size_t kPlacesPerCandidate = 8;
   std::vector<std::uint32_t> order(table.entries().size());

@@ -22,14 +22,20 @@ struct LandmarkTriangle {
 [[nodiscard]] std::vector<LandmarkTriangle> landmark_triangles(
     std::span<const Eigen::Vector2d> points_m, std::int64_t neighbours);
 
-/// The poses T_target_source that lay a source triangle on a target triangle whose sides differ by
+/// A pose T_target_source that two triangles speak for.
+struct TriangleVote {
+  double yaw_rad = 0.0, sine = 0.0, cosine = 1.0;
+  Eigen::Vector2d shift_m = Eigen::Vector2d::Zero();
+};
+
+/// The poses that lay a source triangle on a target triangle whose sides differ by
 /// at most `tolerance_m` and which turns the same way. Both lists by rising longest side. A source
 /// triangle that is like very many (a planted grid) votes for the first of them.
-[[nodiscard]] std::vector<Pose2> triangle_votes(std::span<const Eigen::Vector2d> target_m,
-                                                std::span<const LandmarkTriangle> of_target,
-                                                std::span<const Eigen::Vector2d> source_m,
-                                                std::span<const LandmarkTriangle> of_source,
-                                                double tolerance_m);
+[[nodiscard]] std::vector<TriangleVote> triangle_votes(std::span<const Eigen::Vector2d> target_m,
+                                                       std::span<const LandmarkTriangle> of_target,
+                                                       std::span<const Eigen::Vector2d> source_m,
+                                                       std::span<const LandmarkTriangle> of_source,
+                                                       double tolerance_m);
 
 /// The planar motion of least squares for pairs of equal index. At least one pair.
 [[nodiscard]] Pose2 fit_planar(std::span<const Eigen::Vector2d> target_m,
@@ -37,6 +43,6 @@ struct LandmarkTriangle {
 
 /// The middles of the places in pose space (3°, 1 m) with the most votes, the most first, none
 /// beside another. At most `count`.
-[[nodiscard]] std::vector<Pose2> most_voted(std::span<const Pose2> votes, std::size_t count);
+[[nodiscard]] std::vector<Pose2> most_voted(std::span<const TriangleVote> votes, std::size_t count);
 
 }  // namespace honka

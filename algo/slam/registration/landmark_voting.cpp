@@ -76,6 +76,7 @@ RefinedPlace best_place(const NearestStems& target, const LandmarkClouds& clouds
   for (const Pose2& place : most_voted(votes, static_cast<std::size_t>(settings.candidates))) {
     const RefinedPlace refined = refine(target, clouds, place, settings.share_distance_m);
     if (refined.partners > best.partners) best = refined;
+    if (3 * best.partners >= clouds.source_m.size()) break;  // chance gives a tenth
   }
   return best;
 }
