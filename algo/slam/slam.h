@@ -83,6 +83,9 @@ class SlamObserver {
   virtual ~SlamObserver() = default;
   /// The poses after a stage (chain, rechain, …).
   virtual void after_stage(std::string_view /*stage*/, const FramePoses& /*T_first_frame*/) {}
+  /// While a stage goes on (frames of the chain, rounds of the adjustment).
+  virtual void during_stage(std::string_view /*stage*/, std::size_t /*done*/,
+                            std::size_t /*total*/) {}
   /// After each pair that the paper's loop chose, with the map as it then stands.
   virtual void after_correction(const CorrectionReport& /*report*/,
                                 const FramePoses& /*T_first_frame*/) {}

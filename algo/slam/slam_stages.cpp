@@ -36,6 +36,13 @@ void check_given(const FramePoses& given, std::size_t frames) {
   }
 }
 
+StageProgress progress_of(SlamWork& work, std::string_view stage) {
+  if (work.observer == nullptr) return {};
+  return [observer = work.observer, stage](std::size_t done, std::size_t total) {
+    observer->during_stage(stage, done, total);
+  };
+}
+
 }  // namespace
 
 std::vector<SparseFrame> clean_frames(std::span<const SparseFrame> frames,
@@ -71,7 +78,8 @@ void stage_chain(SlamWork& work, const std::optional<FramePoses>& given) {
 
 void stage_rechain(SlamWork& work) {
   const SlamSettings& s = work.settings;
-  const Rechain chain = reregister_chain(work.frames, work.poses, s.view, s.match, s.rechain);
+  const Rechain chain = reregister_chain(work.frames, work.poses, s.view, s.match, s.rechain,
+                                         progress_of(work, "rechain"));
   work.poses = chain.T_first_frame;
   work.bad_steps.clear();
   for (const StepStatus status : chain.steps) {
@@ -116,7 +124,8 @@ void stage_pose_graph(SlamWork& work) {
 
 void stage_landmark_ba(SlamWork& work) {
   LandmarkBaResult adjusted =
-      adjust_landmarks(work.frames, work.poses, work.settings.stem_map, work.settings.landmark_ba);
+      adjust_landmarks(work.frames, work.poses, work.settings.stem_map, work.settings.landmark_ba,
+                       {}, progress_of(work, "landmark_ba"));
   work.poses = std::move(adjusted.T_first_frame);
   work.stems = std::move(adjusted.map);
 }

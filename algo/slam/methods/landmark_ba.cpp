@@ -94,7 +94,8 @@ LandmarkBaResult adjust_landmarks(std::span<const SparseFrame> frames,
                                   const FramePoses& T_first_frame,
                                   const StemMapSettings& map_settings,
                                   const LandmarkBaSettings& settings,
-                                  std::span<const std::size_t> drive_starts) {
+                                  std::span<const std::size_t> drive_starts,
+                                  const StageProgress& progress) {
   HONKA_CHECK(frames.size() == T_first_frame.size(), "one pose a frame");
   LandmarkBaResult result;
   Estimate estimate{T_first_frame, {}};
@@ -108,6 +109,8 @@ LandmarkBaResult adjust_landmarks(std::span<const SparseFrame> frames,
     LandmarkSystem system(frames, result.map, chain, weights_of(settings));
     adjust_round(system, estimate, settings.iterations, result);
     put_back(estimate, T_first_frame.front());
+    if (progress)
+      progress(static_cast<std::size_t>(round + 1), static_cast<std::size_t>(settings.rounds));
   }
   result.T_first_frame = estimate.poses;
   if (frames.size() < 2 || settings.rounds == 0) {

@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <span>
 
+#include "algo/slam/methods/stage_progress.h"
 #include "algo/slam/methods/stem_map.h"
 #include "algo/slam/sparse_frame.h"
 #include "algo/types/settings.h"
@@ -38,6 +39,7 @@ struct LandmarkBaResult {
                                                 const FramePoses& T_first_frame,
                                                 const StemMapSettings& map_settings,
                                                 const LandmarkBaSettings& settings,
-                                                std::span<const std::size_t> drive_starts = {});
+                                                std::span<const std::size_t> drive_starts = {},
+                                                const StageProgress& progress = {});
 
 }  // namespace honka

@@ -89,7 +89,7 @@ std::size_t Rechain::bad_steps() const {
 
 Rechain reregister_chain(std::span<const SparseFrame> frames, const FramePoses& T_first_frame,
                          const ViewCone& cone, const MatchQualitySettings& quality,
-                         const RechainSettings& settings) {
+                         const RechainSettings& settings, const StageProgress& progress) {
   HONKA_CHECK(frames.size() == T_first_frame.size(), "one pose a frame");
   const MatchRules rules{settings.inlier_ratio, settings.polish_distance_m, settings.min_share,
                          cone, quality};
@@ -107,6 +107,7 @@ Rechain reregister_chain(std::span<const SparseFrame> frames, const FramePoses& 
     Pose3 next = result.T_first_frame.back() * step.T_target_source;
     next.linear() = Eigen::Quaterniond(next.linear()).normalized().toRotationMatrix();
     result.T_first_frame.push_back(next);
+    if (progress) progress(l + 2, frames.size());
   }
   return result;
 }

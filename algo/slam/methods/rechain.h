@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "algo/slam/match_quality.h"
+#include "algo/slam/methods/stage_progress.h"
 #include "algo/slam/sparse_frame.h"
 #include "algo/slam/view_cone.h"
 #include "algo/types/settings.h"
@@ -48,6 +49,7 @@ struct Rechain {
 [[nodiscard]] Rechain reregister_chain(std::span<const SparseFrame> frames,
                                        const FramePoses& T_first_frame, const ViewCone& cone,
                                        const MatchQualitySettings& quality,
-                                       const RechainSettings& settings);
+                                       const RechainSettings& settings,
+                                       const StageProgress& progress = {});
 
 }  // namespace honka
