@@ -1,6 +1,7 @@
 #include "algo/slam/convergence.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <vector>
 
@@ -45,25 +46,40 @@ std::vector<bool> on_rim(const DelaunayGraph& graph) {
 
 }  // namespace
 
-double mean_neighbour_distance_m(std::span<const Eigen::Vector3d> points_m, Periphery periphery) {
+NaturalNeighbours natural_neighbours(std::span<const Eigen::Vector3d> points_m) {
   std::vector<Eigen::Vector2d> places;
-  places.reserve(points_m.size());
-  for (const Eigen::Vector3d& p : points_m) {
-    if (p.allFinite()) places.emplace_back(p.head<2>());
+  std::vector<std::size_t> index;
+  for (std::size_t k = 0; k < points_m.size(); ++k) {
+    if (!points_m[k].allFinite()) continue;
+    places.emplace_back(points_m[k].head<2>());
+    index.push_back(k);
   }
   const DelaunayGraph graph = build_delaunay(places);
   const std::vector<double> length_m = mean_edge_lengths_m(graph);
   const std::vector<bool> rim = on_rim(graph);
-  // Nevalainen2021 Eq. (23)
-  double sum_m = 0.0, counted = 0.0;
-  for (std::size_t p = 0; p < places.size(); ++p) {
-    if (length_m[p] == 0.0 || (periphery == Periphery::kLeftOut && rim[p])) continue;
-    sum_m += length_m[p];
-    counted += 1.0;
+  NaturalNeighbours around{std::vector<double>(points_m.size(), 0.0),
+                           std::vector<bool>(points_m.size(), true)};
+  for (std::size_t k = 0; k < index.size(); ++k) {
+    around.distance_m[index[k]] = length_m[k];
+    around.on_rim[index[k]] = rim[k];
   }
-  if (counted > 0.0) return sum_m / counted;
-  return periphery == Periphery::kLeftOut ? mean_neighbour_distance_m(points_m, Periphery::kCounted)
-                                          : 0.0;
+  return around;
+}
+
+double mean_neighbour_distance_m(std::span<const Eigen::Vector3d> points_m, Periphery periphery) {
+  const NaturalNeighbours around = natural_neighbours(points_m);
+  // Nevalainen2021 Eq. (23)
+  std::array<double, 2> sum_m{}, count{};  // of the inner points, of all
+  for (std::size_t k = 0; k < points_m.size(); ++k) {
+    if (around.distance_m[k] == 0.0) continue;
+    for (const std::size_t kind : {0U, 1U}) {
+      if (kind == 0 && around.on_rim[k]) continue;
+      sum_m[kind] += around.distance_m[k];
+      count[kind] += 1.0;
+    }
+  }
+  const std::size_t kind = periphery == Periphery::kLeftOut && count[0] > 0.0 ? 0 : 1;
+  return count[kind] == 0.0 ? 0.0 : sum_m[kind] / count[kind];
 }
 
 ConvergenceLimits convergence_limits(double mean_neighbour_distance_m, double outlier_ratio,

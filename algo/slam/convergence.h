@@ -2,6 +2,7 @@
 
 #include <Eigen/Core>
 #include <span>
+#include <vector>
 
 #include "algo/types/pose.h"
 
@@ -17,6 +18,15 @@ enum class Periphery { kLeftOut, kCounted };
 /// Source: Nevalainen2021 Eq. (23).
 [[nodiscard]] double mean_neighbour_distance_m(std::span<const Eigen::Vector3d> points_m,
                                                Periphery periphery = Periphery::kLeftOut);
+
+/// What each point of a cloud has around it in the plane.
+struct NaturalNeighbours {
+  std::vector<double> distance_m;  ///< mean to the natural neighbours; 0 for a point without any
+  std::vector<bool> on_rim;        ///< the point or a natural neighbour of it is on the hull
+};
+
+/// The summands of Eq. 23, point by point; points that are not finite have no neighbours.
+[[nodiscard]] NaturalNeighbours natural_neighbours(std::span<const Eigen::Vector3d> points_m);
 
 /// How far a guess may be off for a simple ICP to find the match: half axes of an ellipsoid.
 struct ConvergenceLimits {
