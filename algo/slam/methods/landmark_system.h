@@ -40,6 +40,8 @@ class LandmarkSystem {
 
   /// Linearizes about poses and stems; then `solve` gives the step of each pose and of each stem.
   void linearize(const FramePoses& poses, std::span<const Eigen::Vector3d> stems_m);
+  /// Derivative of the cost by the poses' motions, at the linearization.
+  [[nodiscard]] const std::vector<Twist>& pose_gradient() const { return gradient_; }
   struct Step {
     std::vector<Twist> poses;
     std::vector<Eigen::Vector3d> stems_m;
