@@ -6,6 +6,8 @@
 #include "algo/types/user_error.h"
 #include "eval/run/localization_experiment.h"
 #include "eval/run/odometry_experiment.h"
+#include "eval/run/slam/progress_experiment.h"
+#include "eval/run/slam/selection_experiment.h"
 
 namespace honka::eval {
 
@@ -15,6 +17,10 @@ const std::vector<Experiment>& experiments() {
        run_localization_experiment},
       {"odometry", "Drift, speed and failures of the lidar odometries, stand by stand",
        run_odometry_experiment},
+      {"slam_selection", "Nevalainen et al. 2021, Figures 9 and 10: pairs found and chosen",
+       run_selection_experiment},
+      {"slam_progress", "Nevalainen et al. 2021: the loop correction by correction, its claims judged",
+       run_progress_experiment},
   };
   return kExperiments;
 }
