@@ -19,7 +19,7 @@ const std::vector<Experiment>& experiments() {
        run_odometry_experiment},
       {"slam_selection", "Nevalainen et al. 2021, Figures 9 and 10: pairs found and chosen",
        run_selection_experiment},
-      {"slam_progress", "Nevalainen et al. 2021: the loop correction by correction, its claims judged",
+      {"slam_progress", "Nevalainen et al. 2021: the loop, correction by correction, and its claims",
        run_progress_experiment},
   };
   return kExperiments;
