@@ -8,6 +8,7 @@
 #include "eval/run/odometry_experiment.h"
 #include "eval/run/slam/progress_experiment.h"
 #include "eval/run/slam/selection_experiment.h"
+#include "eval/run/slam/slam_experiment.h"
 
 namespace honka::eval {
 
@@ -17,9 +18,12 @@ const std::vector<Experiment>& experiments() {
        run_localization_experiment},
       {"odometry", "Drift, speed and failures of the lidar odometries, stand by stand",
        run_odometry_experiment},
+      {"slam", "Nevalainen et al. 2021 on drives: starts, orders and methods of SLAM",
+       run_slam_experiment},
       {"slam_selection", "Nevalainen et al. 2021, Figures 9 and 10: pairs found and chosen",
        run_selection_experiment},
-      {"slam_progress", "Nevalainen et al. 2021: the loop, correction by correction, and its claims",
+      {"slam_progress",
+       "Nevalainen et al. 2021: the loop, correction by correction, and its claims",
        run_progress_experiment},
   };
   return kExperiments;
