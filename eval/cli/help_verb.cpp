@@ -25,6 +25,7 @@ Verbs
   simulate SCENARIO    record scans and truth (HDF5)
   locate MAP LOCAL…    the pose of each local stem list in the map
   register TARGET SOURCE          lay one sparse cloud onto another
+  slam FRAMES          key frames of stems into one map: trajectory, stems, quality
   score RECORDING POSES [STEMS]   judge poses and stems made elsewhere
   evaluate TRUTH ESTIMATE         APE and RPE of a trajectory (TUM, KITTI)
   report DIR           write report.html of a results folder anew
@@ -68,6 +69,23 @@ MAP.csv holds the stems of a map, each LOCAL.csv those seen from one place, with
 origin and x ahead. The answer is T_map_local: x_map = R(yaw) x_local + t. Refused lists say why.
 --json prints one object a local file: local, method, verdict, accepted, x_m, y_m, yaw_rad, stems,
 matches, agreeing, inliers, margin, time_ms; map_ms in the first.
+)";
+
+constexpr const char* kSlam =
+    R"(honka slam FRAMES.csv[.gz] [--chain POSES] --out DIR
+           [--method chain|paper|interpolate|pose_graph|landmark_ba]
+
+FRAMES holds one stem a row: frame,x_m,y_m,z_m (also x,y,z; other columns are left alone), in the
+lidar's frame, x ahead, y left, z up. POSES holds T_first_frame, 12 numbers a frame ([R|t] by rows,
+commas or blanks, no header); without it the chain is made from the frames.
+
+--method   chain         the chain alone
+           paper         the self-corrective loop of Nevalainen et al. 2021
+           interpolate   chain re-registered, verified matches squeezed in one by one
+           pose_graph    the same matches, all poses fitted at once
+           landmark_ba   then poses and stems together (as left out)
+DIR        trajectory.tum (time = frame number), stems.csv (x_m,y_m,z_m,observations,rmse_m),
+           summary.json (blur, cluster RMSE, box dimension, matches, times, frames not placed)
 )";
 
 constexpr const char* kRegister =
@@ -130,7 +148,7 @@ int help_verb(const std::string& topic) {
       {"", kOverview},         {"scenarios", kScenarios}, {"scenario", kScenarios},
       {"run", kScenarios},     {"formats", kFormats},     {"simulate", kFormats},
       {"report", kFormats},    {"score", kFormats},       {"locate", kLocate},
-      {"evaluate", kEvaluate}, {"register", kRegister},
+      {"evaluate", kEvaluate}, {"register", kRegister},   {"slam", kSlam},
   };
   if (topic == "experiments") {
     print_experiments();

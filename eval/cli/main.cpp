@@ -74,6 +74,15 @@ void add_register(CLI::App& app, RegisterArguments& arguments, Action& action) {
   verb.callback([&] { action = [&] { return register_verb(arguments); }; });
 }
 
+void add_slam(CLI::App& app, SlamArguments& arguments, Action& action) {
+  auto& verb = *app.add_subcommand("slam", "lay key frames of stems into one map");
+  verb.add_option("FRAMES", arguments.frames, "stems a key frame (CSV, also gzipped)")->required();
+  verb.add_option("--chain", arguments.chain, "poses of the frames, 12 numbers a row");
+  verb.add_option("--method", arguments.method, "how: see honka help slam");
+  verb.add_option("--out", arguments.out, "folder of the results")->required();
+  verb.callback([&] { action = [&] { return slam_verb(arguments); }; });
+}
+
 void add_score(CLI::App& app, ScoreArguments& arguments, Action& action) {
   auto& verb = *app.add_subcommand("score", "judge a result made elsewhere against a recording");
   verb.add_option("RECORDING", arguments.recording, "recording with truth (.h5)")->required();
@@ -126,6 +135,7 @@ int parse_and_act(int argc, char** argv) {
   RunArguments run;
   SimulateArguments simulate;
   LocateArguments locate;
+  SlamArguments slam;
   ScoreArguments score;
   RegisterArguments registration;
   EvaluateArguments evaluate;
@@ -137,6 +147,7 @@ int parse_and_act(int argc, char** argv) {
   add_simulate(app, simulate, action);
   add_locate(app, locate, action);
   add_register(app, registration, action);
+  add_slam(app, slam, action);
   add_score(app, score, action);
   add_evaluate(app, evaluate, action);
   add_scenario(app, scenario, action);

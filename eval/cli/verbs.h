@@ -45,6 +45,11 @@ struct RegisterArguments {
   bool json = false;
 };
 
+struct SlamArguments {
+  std::filesystem::path frames, chain, out;  ///< chain empty: it is made
+  std::string method = "landmark_ba";
+};
+
 struct ScoreArguments {
   std::filesystem::path recording, poses, stems;
 };
@@ -65,6 +70,7 @@ int run_verb(const RunArguments& arguments);
 int simulate_verb(const SimulateArguments& arguments);
 int locate_verb(const LocateArguments& arguments);
 int register_verb(const RegisterArguments& arguments);
+int slam_verb(const SlamArguments& arguments);
 int score_verb(const ScoreArguments& arguments);
 int evaluate_verb(const EvaluateArguments& arguments);
 int report_verb(const std::filesystem::path& folder);
