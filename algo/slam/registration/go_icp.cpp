@@ -133,6 +133,9 @@ void describe(SettingsVisitor& v, GoIcpSettings& s) {
   v.field({"min_share", "", "of the source points in the common view, or the pose is refused",
            "choice: right poses lie above, wrong ones below"},
           s.min_share, Range{0.0, 1.0});
+  v.field({"min_evidence", "nat", "by which partners must be more than chance gives, or refused",
+           "choice: 14 for a million poses, and a margin"},
+          s.min_evidence, Range{0.0, 1e6});
   v.field({"tilt", "", "roll, pitch and z by a last fit to the partners' heights", "choice"},
           s.tilt);
 }
@@ -163,7 +166,8 @@ Registration go_icp(GoIcpCloud target_m, GoIcpCloud source_m, const Pose3& T_tar
         with_tilt(target_m, target, source_m, result.T_target_source, settings.share_distance_m);
   }
   const CommonView view(target_m, cone, settings.share_distance_m);
-  judge_share(target, source_m, view, settings.share_distance_m, settings.min_share, result);
+  judge_share(target, source_m, view,
+              {settings.share_distance_m, settings.min_share, settings.min_evidence}, result);
   if (found.capped) result.status = RegistrationStatus::kTimeCap;
   result.rmse_m =
       trimmed_planar_rmse(target, source_m, result.T_target_source, settings.inlier_share);

@@ -25,6 +25,7 @@ struct GoIcpSettings {
   std::int64_t node_cap = 0;          ///< boxes bounded; 0 is off. The same digits everywhere
   double share_distance_m = 0.35;     ///< a neighbour nearer than this counts for the share
   double min_share = 0.25;            ///< of the source points in the common view, or refused
+  double min_evidence = 20.0;         ///< nats by which partners must be more than chance gives
   bool tilt = true;                   ///< roll, pitch and z by a last fit to the partners
 };
 void describe(SettingsVisitor& v, GoIcpSettings& s);

@@ -18,6 +18,7 @@ struct LandmarkVotingSettings {
   double inlier_share = 0.4;       ///< of the source points, for the reported RMSE
   double share_distance_m = 0.35;  ///< a neighbour nearer than this counts for the share
   double min_share = 0.25;         ///< of the source points in the common view, or refused
+  double min_evidence = 20.0;      ///< nats by which partners must be more than chance gives
 };
 void describe(SettingsVisitor& v, LandmarkVotingSettings& s);
 

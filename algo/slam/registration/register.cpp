@@ -20,10 +20,10 @@ struct RegistrationTask {
 Registration by_icp(const RegistrationTask& task) {
   Registration result = trimmed_icp(task.target_m, task.source_m, task.initial, task.settings.icp);
   if (result.status != RegistrationStatus::kRegistered) return result;
-  const double distance_m = task.settings.go_icp.share_distance_m;
-  const CommonView view(task.target_m, task.cone, distance_m);
-  judge_share(NearestStems(task.target_m), task.source_m, view, distance_m,
-              task.settings.go_icp.min_share, result);
+  const GoIcpSettings& go = task.settings.go_icp;
+  const CommonView view(task.target_m, task.cone, go.share_distance_m);
+  judge_share(NearestStems(task.target_m), task.source_m, view,
+              {go.share_distance_m, go.min_share, go.min_evidence}, result);
   return result;
 }
 

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numbers>
 #include <numeric>
 
 #include "algo/slam/registration/trimmed_icp.h"
@@ -12,12 +13,11 @@
 namespace honka {
 namespace {
 
-constexpr int kFewestSharePartners = 3;  // two stems fit anywhere
-constexpr int kFewestTiltPartners = 6;   // three heights for each of three unknowns
-constexpr double kTiltLever_m = 3.0;     // spread of partners below which a tilt is noise
-constexpr double kMostTilt_deg = 20.0;   // steeper than a machine drives
-constexpr double kFarthest_m = 1e9;      // a double keeps a micrometre there
-constexpr double kHeightGate_m = 0.5;    // five times the noise of a stem's height
+constexpr int kFewestTiltPartners = 6;  // three heights for each of three unknowns
+constexpr double kTiltLever_m = 3.0;    // spread of partners below which a tilt is noise
+constexpr double kMostTilt_deg = 20.0;  // steeper than a machine drives
+constexpr double kFarthest_m = 1e9;     // a double keeps a micrometre there
+constexpr double kHeightGate_m = 0.5;   // five times the noise of a stem's height
 
 /// Twice the area of the triangle a, b, c; positive when counter-clockwise.
 double turn_area(const Eigen::Vector2d& a, const Eigen::Vector2d& b, const Eigen::Vector2d& c) {
@@ -103,10 +103,28 @@ RegistrationStatus registrable_in_plane(std::span<const Eigen::Vector3d> target_
 CommonView::CommonView(std::span<const Eigen::Vector3d> target_m,
                        const std::optional<ViewCone>& cone, double margin_m)
     : cone_(cone), margin_m_(margin_m) {
-  if (cone_) return;
   std::vector<Eigen::Vector2d> points;
   for (const Eigen::Vector3d& p : target_m) points.emplace_back(p.head<2>());
   hull_ = convex_hull(std::move(points));
+  double area_m2 = 0.0;
+  for (std::size_t i = 1; i + 1 < hull_.size(); ++i) {
+    area_m2 += 0.5 * turn_area(hull_[0], hull_[i], hull_[i + 1]);
+  }
+  if (area_m2 > 0.0) per_m2_ = static_cast<double>(target_m.size()) / area_m2;
+}
+
+double CommonView::chance(double distance_m) const {
+  return 1.0 - std::exp(-per_m2_ * std::numbers::pi * distance_m * distance_m);
+}
+
+double share_evidence(int partners, int points, double chance) {
+  if (points <= 0) return 0.0;
+  const double n = points;
+  const double share = partners / n;
+  const double p = std::clamp(chance, 1e-9, 1.0 - 1e-9);
+  if (share <= p) return 0.0;
+  const double others = share < 1.0 ? (1.0 - share) * std::log((1.0 - share) / (1.0 - p)) : 0.0;
+  return n * (share * std::log(share / p) + others);
 }
 
 bool CommonView::holds(const Eigen::Vector2d& place_in_target_m) const {
@@ -138,13 +156,15 @@ ShareCount count_share(const NearestStems& target, std::span<const Eigen::Vector
 }
 
 void judge_share(const NearestStems& target, std::span<const Eigen::Vector3d> source_m,
-                 const CommonView& view, double distance_m, double min_share,
-                 Registration& result) {
-  const ShareCount count = count_share(target, source_m, result.T_target_source, view, distance_m);
+                 const CommonView& view, const ShareTest& test, Registration& result) {
+  const ShareCount count =
+      count_share(target, source_m, result.T_target_source, view, test.distance_m);
   result.overlap = view.overlap(result.T_target_source);
   result.inliers = count.partners;
   result.share = count.share();
-  const bool passes = count.partners_in_view >= kFewestSharePartners && count.share() >= min_share;
+  const double evidence =
+      share_evidence(count.partners_in_view, count.in_view, view.chance(test.distance_m));
+  const bool passes = count.share() >= test.min_share && evidence >= test.min_evidence;
   result.status = passes ? RegistrationStatus::kRegistered : RegistrationStatus::kUnverified;
 }
 

@@ -25,11 +25,14 @@ class CommonView {
   [[nodiscard]] bool holds(const Eigen::Vector2d& place_in_target_m) const;
   /// λ of a pose; 1 without a cone.
   [[nodiscard]] double overlap(const Pose3& T_target_source) const;
+  /// Chance that a place in the target's hull has a target point within `distance_m`.
+  [[nodiscard]] double chance(double distance_m) const;
 
  private:
   std::optional<ViewCone> cone_;
   std::vector<Eigen::Vector2d> hull_;  ///< counter-clockwise
   double margin_m_;                    ///< by which the hull is widened
+  double per_m2_ = 0.0;                ///< target points, over the hull
 };
 
 /// What the share test counts: source points with a target point within `distance_m` in the plane.
@@ -46,10 +49,23 @@ struct ShareCount {
                                      const Pose3& T_target_source, const CommonView& view,
                                      double distance_m);
 
+/// What a pose must pass to count.
+struct ShareTest {
+  double distance_m = 0.35;    ///< a neighbour nearer than this is a partner
+  double min_share = 0.25;     ///< of the source points in the common view
+  double min_evidence = 20.0;  ///< nats, see share_evidence
+};
+
+/// How much more than chance gives the partners are: n KL(k/n ‖ p), nats, for k partners of n
+/// points, each of which has one by chance p. e to the minus this bounds the probability of as many
+/// by chance (Chernoff), at one pose; a search that may look at a million poses needs 14 more than
+/// one that looks at one. 0 where there are fewer than chance gives.
+[[nodiscard]] double share_evidence(int partners, int points, double chance);
+
 /// Writes overlap, inliers and share of the pose into `result`, and whether the pose passes:
-/// kRegistered or kUnverified. At least three partners in view and `min_share` of the points there.
+/// kRegistered or kUnverified.
 void judge_share(const NearestStems& target, std::span<const Eigen::Vector3d> source_m,
-                 const CommonView& view, double distance_m, double min_share, Registration& result);
+                 const CommonView& view, const ShareTest& test, Registration& result);
 
 /// Source and target points that are partners within `distance_m` in the plane, by index (source,
 /// target), in order of the source.
