@@ -46,7 +46,7 @@ struct Estimate {
 
   [[nodiscard]] Estimate after(const LandmarkSystem::Step& step) const {
     Estimate next = *this;
-    for (std::size_t i = 0; i < poses.size(); ++i) next.poses[i] = moved(poses[i], step.poses[i]);
+    for (std::size_t i = 0; i < poses.size(); ++i) next.poses[i] = stepped(poses[i], step.poses[i]);
     for (std::size_t s = 0; s < stems_m.size(); ++s) next.stems_m[s] += step.stems_m[s];
     return next;
   }

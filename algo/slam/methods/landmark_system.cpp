@@ -33,7 +33,7 @@ double dot(const std::vector<Twist>& a, const std::vector<Twist>& b) {
 
 }  // namespace
 
-Pose3 moved(const Pose3& pose, const Twist& step) {
+Pose3 stepped(const Pose3& pose, const Twist& step) {
   Pose3 result = pose;
   result.translation() += step.head<3>();
   result.linear() =

@@ -95,6 +95,6 @@ class LandmarkSystem {
 };
 
 /// t + δt, exp(δω) R.
-[[nodiscard]] Pose3 moved(const Pose3& pose, const Twist& step);
+[[nodiscard]] Pose3 stepped(const Pose3& pose, const Twist& step);
 
 }  // namespace honka

@@ -22,7 +22,7 @@ FramePoses shaken(const FramePoses& poses, double size) {
     for (Eigen::Index k = 0; k < 6; ++k) {
       step[k] = random.uniform(-1.0, 1.0) * (k < 3 ? size : 0.01 * size);
     }
-    result[l] = moved(poses[l], step);
+    result[l] = stepped(poses[l], step);
   }
   return result;
 }
@@ -72,8 +72,8 @@ TEST_CASE("landmark ba: the gradient is that of the cost") {
   for (const std::size_t l : {std::size_t{0}, std::size_t{5}, at.size() - 1}) {
     for (Eigen::Index k = 0; k < 6; ++k) {
       FramePoses ahead = at, behind = at;
-      ahead[l] = moved(at[l], kDelta * Twist::Unit(k));
-      behind[l] = moved(at[l], -kDelta * Twist::Unit(k));
+      ahead[l] = stepped(at[l], kDelta * Twist::Unit(k));
+      behind[l] = stepped(at[l], -kDelta * Twist::Unit(k));
       const double numeric =
           (system.cost(ahead, stems_m) - system.cost(behind, stems_m)) / (2.0 * kDelta);
       CHECK(system.pose_gradient()[l][k] == Approx(numeric).epsilon(1e-5).margin(1e-3));
