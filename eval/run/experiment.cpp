@@ -6,9 +6,14 @@
 #include "algo/types/user_error.h"
 #include "eval/run/localization_experiment.h"
 #include "eval/run/odometry_experiment.h"
+#include "eval/run/slam/convergence_experiment.h"
+#include "eval/run/slam/link_experiment.h"
+#include "eval/run/slam/overlap_experiment.h"
+#include "eval/run/slam/power_experiment.h"
 #include "eval/run/slam/progress_experiment.h"
 #include "eval/run/slam/selection_experiment.h"
 #include "eval/run/slam/slam_experiment.h"
+#include "eval/run/slam/view_experiment.h"
 
 namespace honka::eval {
 
@@ -18,6 +23,8 @@ const std::vector<Experiment>& experiments() {
        run_localization_experiment},
       {"odometry", "Drift, speed and failures of the lidar odometries, stand by stand",
        run_odometry_experiment},
+      {"link", "Edge and cloud apart: map quality by bandwidth, loss and delay",
+       run_link_experiment},
       {"slam", "Nevalainen et al. 2021 on drives: starts, orders and methods of SLAM",
        run_slam_experiment},
       {"slam_selection", "Nevalainen et al. 2021, Figures 9 and 10: pairs found and chosen",
@@ -25,6 +32,16 @@ const std::vector<Experiment>& experiments() {
       {"slam_progress",
        "Nevalainen et al. 2021: the loop, correction by correction, and its claims",
        run_progress_experiment},
+      {"slam_view", "Nevalainen et al. 2021, Figure 1: a view, and neighbours' distance by range",
+       run_view_experiment},
+      {"slam_powers", "Nevalainen et al. 2021, Figures 2 and 3: powers of rigid transforms",
+       run_power_experiment},
+      {"slam_convergence", "Nevalainen et al. 2021, Figure 6: ICP by how far off it starts",
+       run_convergence_experiment},
+      {"slam_tilt", "Nevalainen et al. 2021, Figure 7: ICP over the tilt of its start",
+       run_tilt_experiment},
+      {"slam_overlap", "Nevalainen et al. 2021, Figure 8: the overlap of two view cones",
+       run_overlap_experiment},
   };
   return kExperiments;
 }
