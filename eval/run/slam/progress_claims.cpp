@@ -16,7 +16,7 @@ constexpr double kSameMinimum = 0.05;   ///< e_C at the least β is within this 
 constexpr double kStable = 0.10;        ///< share of its start by which the step error may move
 constexpr double kDimensionGap = 0.15;  ///< by which d may miss a figure of the paper
 constexpr double kDivergence = 0.10;    ///< share of its least by which β has risen in the end
-constexpr double kNoFigure = std::numeric_limits<double>::quiet_NaN();
+constexpr double kClaimNothing = std::numeric_limits<double>::quiet_NaN();
 
 /// The points at which e_C was measured.
 std::vector<const ProgressPoint*> with_noise(const ProgressTrack& track) {
@@ -55,7 +55,7 @@ double correlation(const std::vector<double>& a, const std::vector<double>& b) {
     aa += (a[k] - mean_a) * (a[k] - mean_a);
     bb += (b[k] - mean_b) * (b[k] - mean_b);
   }
-  return aa > 0.0 && bb > 0.0 ? ab / std::sqrt(aa * bb) : kNoFigure;
+  return aa > 0.0 && bb > 0.0 ? ab / std::sqrt(aa * bb) : kClaimNothing;
 }
 
 /// What one track says of a claim: whether it held, and the figures that tell.
@@ -166,7 +166,7 @@ ProgressClaim judge_claim(const ClaimText& text, const std::string& side,
   }
   std::vector<std::string> texts;
   for (std::size_t k = 0; k < 4; ++k) {
-    texts.push_back(fixed(mean(figures[k]).value_or(kNoFigure), text.decimals[k]));
+    texts.push_back(fixed(mean(figures[k]).value_or(kClaimNothing), text.decimals[k]));
   }
   claim.ours = fmt::format(fmt::runtime(text.ours), texts[0], texts[1], texts[2], texts[3]);
   return claim;
@@ -180,7 +180,7 @@ double rank_correlation(const ProgressTrack& track) {
     blurs.push_back(point->map.blur);
     noises.push_back(point->map.cluster_rmse_m);
   }
-  return blurs.size() < 3 ? kNoFigure : correlation(ranks(blurs), ranks(noises));
+  return blurs.size() < 3 ? kClaimNothing : correlation(ranks(blurs), ranks(noises));
 }
 
 std::vector<ProgressClaim> judge_claims(const std::vector<ProgressTrack>& tracks) {

@@ -22,13 +22,19 @@ std::vector<ProgressTrack> record_tracks(const RunRequest& request) {
   const ImprovementTrials trials = improvement_trials(request);
   for (std::int64_t trial = trials.first; trial < trials.end; ++trial) {
     const ImprovementStart start = improvement_start(request, trial);
-    Progress progress(fmt::format("trial {}, loop", trial), "sides", 2);
-    for (const std::string& side : update_side_names()) {
-      tracks.push_back(record_progress(start.drive, start.T_first_frame,
-                                       request.resolved.scenario.slam, side, start.seed));
-      tracks.back().trial = trial;
-      progress.advance();
+    const std::vector<std::string>& sides = update_side_names();
+    std::vector<ProgressTrack> of_trial(sides.size());
+    Progress progress(fmt::format("trial {}, loop", trial), "sides",
+                      static_cast<std::int64_t>(sides.size()));
+    const int threads = request.threads;
+#pragma omp parallel for schedule(dynamic) num_threads(threads)
+    for (std::size_t k = 0; k < sides.size(); ++k) {
+      of_trial[k] = record_progress(start.drive, start.T_first_frame,
+                                    request.resolved.scenario.slam, sides[k], start.seed);
+      of_trial[k].trial = trial;
     }
+    progress.advance(static_cast<std::int64_t>(sides.size()));
+    for (ProgressTrack& track : of_trial) tracks.push_back(std::move(track));
   }
   return tracks;
 }

@@ -58,25 +58,26 @@ std::vector<double> over_trials(const SideTracks& side, const Figure& figure) {
   return values;
 }
 
-std::string mean_text(const std::vector<double>& values, int decimals) {
+std::string progress_mean_text(const std::vector<double>& values, int decimals) {
   return fixed(mean(values).value_or(std::nan("")), decimals);
 }
 
-Json mean_or_null(const std::vector<double>& values) {
+Json progress_mean_json(const std::vector<double>& values) {
   const auto value = mean(values);
   return value ? Json(*value) : Json();
 }
 
-void add_column(Json& row, const MapColumn& column, const SideTracks& side, std::int64_t round) {
+void add_map_figure(Json& row, const MapColumn& column, const SideTracks& side,
+                    std::int64_t round) {
   const auto values = over_trials(
       side, [&](const ProgressTrack& t) { return t.end_of_round(round).map.*column.of; });
-  row[column.name] = mean_or_null(values);
+  row[column.name] = progress_mean_json(values);
   if (const auto interval = bootstrap_mean(values)) {
     row[std::string(column.name) + "_interval"] = {interval->low, interval->high};
   }
   if (!column.has_floor) return;
-  row[std::string(column.name) + "_floor"] =
-      mean_or_null(over_trials(side, [&](const ProgressTrack& t) { return t.floor.*column.of; }));
+  row[std::string(column.name) + "_floor"] = progress_mean_json(
+      over_trials(side, [&](const ProgressTrack& t) { return t.floor.*column.of; }));
 }
 
 Json progress_row(const SideTracks& side, std::int64_t round) {
@@ -85,17 +86,46 @@ Json progress_row(const SideTracks& side, std::int64_t round) {
   row["round"] = round;
   row["trials"] = side.tracks.size();
   const auto count = [&](std::int64_t ProgressPoint::*of) {
-    return mean_or_null(over_trials(side, [&](const ProgressTrack& t) {
+    return progress_mean_json(over_trials(side, [&](const ProgressTrack& t) {
       return static_cast<double>(t.end_of_round(round).*of);
     }));
   };
   row["corrections"] = count(&ProgressPoint::applied);
   row["go_icp_calls"] = count(&ProgressPoint::go_icp_calls);
-  for (const MapColumn& column : kMapColumns) add_column(row, column, side, round);
+  for (const MapColumn& column : kMapColumns) add_map_figure(row, column, side, round);
   if (round == 0) row["paper"] = {{"blur", 0.31}, {"dimension", 1.4}};
   if (round == 1) {
     row["paper"] = {
         {"blur", 0.022}, {"cluster_rmse_m", 0.15}, {"dimension", 0.3}, {"corrections", 71}};
+  }
+  return row;
+}
+
+std::vector<ReportCell> round_cells(const SideTracks& side, std::int64_t round) {
+  const auto count = [&](std::int64_t ProgressPoint::*of) {
+    const auto values = over_trials(side, [&](const ProgressTrack& t) {
+      return static_cast<double>(t.end_of_round(round).*of);
+    });
+    return ReportCell{progress_mean_text(values, 0)};
+  };
+  std::vector<ReportCell> row = {{side.side},
+                                 {round == 0 ? "start" : std::to_string(round)},
+                                 count(&ProgressPoint::applied),
+                                 count(&ProgressPoint::go_icp_calls)};
+  for (const MapColumn& column : kMapColumns) {
+    const auto values = over_trials(
+        side, [&](const ProgressTrack& t) { return t.end_of_round(round).map.*column.of; });
+    row.push_back({progress_mean_text(values, column.decimals)});
+  }
+  return row;
+}
+
+std::vector<ReportCell> floor_cells(const SideTracks& side) {
+  std::vector<ReportCell> row = {{"true poses"}, {"–"}, {"–"}, {"–"}};
+  for (const MapColumn& column : kMapColumns) {
+    const auto values =
+        over_trials(side, [&](const ProgressTrack& t) { return t.floor.*column.of; });
+    row.push_back({column.has_floor ? progress_mean_text(values, column.decimals) : "0"});
   }
   return row;
 }
@@ -128,41 +158,13 @@ ReportTable progress_table(const std::vector<ProgressTrack>& tracks) {
   table.protocol = "means over the trials at the end of each round; floor: true poses";
   table.headers = {{"side"}, {"round"}, {"corrections"}, {"Go-ICP calls"}};
   for (const MapColumn& column : kMapColumns) table.headers.push_back({column.title, column.unit});
-  for (const SideTracks& side : by_side(tracks)) {
+  const std::vector<SideTracks> sides = by_side(tracks);
+  for (const SideTracks& side : sides) {
     for (std::int64_t round = 0; round <= side.rounds; ++round) {
-      const auto count = [&](std::int64_t ProgressPoint::*of) {
-        return ReportCell{mean_text(over_trials(side,
-                                                [&](const ProgressTrack& t) {
-                                                  return static_cast<double>(t.end_of_round(round).*
-                                                                             of);
-                                                }),
-                                    0)};
-      };
-      std::vector<ReportCell> row = {{side.side},
-                                     {round == 0 ? "start" : std::to_string(round)},
-                                     count(&ProgressPoint::applied),
-                                     count(&ProgressPoint::go_icp_calls)};
-      for (const MapColumn& column : kMapColumns) {
-        row.push_back({mean_text(
-            over_trials(
-                side, [&](const ProgressTrack& t) { return t.end_of_round(round).map.*column.of; }),
-            column.decimals)});
-      }
-      table.rows.push_back(std::move(row));
+      table.rows.push_back(round_cells(side, round));
     }
   }
-  const auto sides = by_side(tracks);
-  if (sides.empty()) return table;
-  std::vector<ReportCell> floor = {{"true poses"}, {"–"}, {"–"}, {"–"}};
-  for (const MapColumn& column : kMapColumns) {
-    floor.push_back({column.has_floor ? mean_text(over_trials(sides.front(),
-                                                              [&](const ProgressTrack& t) {
-                                                                return t.floor.*column.of;
-                                                              }),
-                                                  column.decimals)
-                                      : "0"});
-  }
-  table.rows.push_back(std::move(floor));
+  if (!sides.empty()) table.rows.push_back(floor_cells(sides.front()));
   table.notes = {"The paper: β 0.31 → 0.022, e_C 0.15 m, d 1.4 → 1 → 0.3."};
   return table;
 }

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "eval/report/gnuplot.h"
 
 namespace honka::eval {
@@ -75,7 +77,7 @@ ReportFigure draw_pair_errors(const std::filesystem::path& folder,
 ReportFigure draw_pair_choice(const std::filesystem::path& folder, const SelectionCase& c) {
   std::vector<FramePair> chosen;
   for (const std::size_t k : c.choice.chosen) chosen.push_back(c.found.promising[k]);
-  const double n = static_cast<double>(c.frames);
+  const double n = std::max(2.0, static_cast<double>(c.frames));
   Figure figure(folder, "fig10_pair_choice", 900, 820, Figure::Format::kPng);
   figure.title(
       "Promising pairs and the chosen ones",

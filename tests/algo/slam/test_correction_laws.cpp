@@ -30,7 +30,7 @@ FramePoses random_chain(std::size_t frames) {
   return poses;
 }
 
-double apart(const Pose3& a, const Pose3& b) { return (a.matrix() - b.matrix()).norm(); }
+double poses_apart(const Pose3& a, const Pose3& b) { return (a.matrix() - b.matrix()).norm(); }
 
 std::vector<FramePair> random_pairs(std::size_t count) {
   std::vector<FramePair> pairs;
@@ -73,10 +73,10 @@ TEST_CASE("correction: laws of every coefficient and side") {
         const Pose3 T_j_i = between(before, j, i) * random_step(77, metres, 0.05 * metres);
         FramePoses after = before;
         apply_correction(after, {j, i, T_j_i}, shares, update_side(side));
-        CHECK(apart(between(after, j, i), T_j_i) < 1e-9 * (1.0 + metres));
+        CHECK(poses_apart(between(after, j, i), T_j_i) < 1e-9 * (1.0 + metres));
         for (std::size_t l = 0; l <= j; ++l) CHECK(after[l].matrix() == before[l].matrix());
         for (std::size_t k = i + 1; k < after.size(); ++k) {
-          CHECK(apart(between(after, i, k), between(before, i, k)) < 1e-9);
+          CHECK(poses_apart(between(after, i, k), between(before, i, k)) < 1e-9);
         }
         for (const Pose3& pose : after) {
           CHECK(pose.matrix().allFinite());
@@ -86,7 +86,7 @@ TEST_CASE("correction: laws of every coefficient and side") {
       }
       FramePoses same = before;
       apply_correction(same, {j, i, between(before, j, i)}, shares, update_side(side));
-      for (std::size_t l = 0; l < same.size(); ++l) CHECK(apart(same[l], before[l]) < 1e-9);
+      for (std::size_t l = 0; l < same.size(); ++l) CHECK(poses_apart(same[l], before[l]) < 1e-9);
     }
   }
 }

@@ -42,7 +42,7 @@ std::optional<CorrectionCase> correction_case() {
   return c;
 }
 
-double largest_difference(const Pose3& pose, const nlohmann::json& twelve) {
+double largest_entry_apart(const Pose3& pose, const nlohmann::json& twelve) {
   double largest = 0.0;
   for (int row = 0; row < 3; ++row) {
     for (int column = 0; column < 4; ++column) {
@@ -69,8 +69,8 @@ TEST_CASE("correction: frames 500 and 700 of case 0, each side and coefficient")
       const auto shares =
           power_coefficients(poses, 500, 700, power_coefficient(coefficient), {}, metric);
       apply_correction(poses, correction, shares, update_side(side));
-      CHECK(largest_difference(poses[600], row["p600"]) < 1e-9);
-      CHECK(largest_difference(poses[900], row["p900"]) < 1e-9);
+      CHECK(largest_entry_apart(poses[600], row["p600"]) < 1e-9);
+      CHECK(largest_entry_apart(poses[900], row["p900"]) < 1e-9);
       // Points are stored to a micrometre: single cells of some 30,000 may differ.
       CHECK(blur(map_points(c->frames, poses), {}) ==
             Approx(row["beta"].get<double>()).epsilon(2e-4));

@@ -23,7 +23,7 @@ QualityMap case0_map(const std::filesystem::path& folder, const std::string& pos
   return map_m;
 }
 
-nlohmann::json case0_reference(const std::filesystem::path& folder) {
+nlohmann::json quality_reference(const std::filesystem::path& folder) {
   std::ifstream stream(folder / "case0_reference.json");
   return nlohmann::json::parse(stream);
 }
@@ -56,7 +56,7 @@ TEST_CASE("quality: case 0 as an independent implementation measured it") {
     WARN("the shared SLAM cases are absent: skipped");
     return;
   }
-  const auto reference = case0_reference(*folder);
+  const auto reference = quality_reference(*folder);
   SECTION("chain") {
     const QualityMap map_m = case0_map(*folder, "case0_chain_pose.csv");
     check_sharpness(map_m, reference["reference"]["chain"], 1e-4);
