@@ -6,7 +6,9 @@
 #include "algo/types/user_error.h"
 #include "eval/run/localization_experiment.h"
 #include "eval/run/odometry_experiment.h"
+#include "eval/run/slam/calls_experiment.h"
 #include "eval/run/slam/convergence_experiment.h"
+#include "eval/run/slam/granularity_experiment.h"
 #include "eval/run/slam/link_experiment.h"
 #include "eval/run/slam/overlap_experiment.h"
 #include "eval/run/slam/power_experiment.h"
@@ -40,6 +42,10 @@ const std::vector<Experiment>& experiments() {
        run_convergence_experiment},
       {"slam_tilt", "Nevalainen et al. 2021, Figure 7: ICP over the tilt of its start",
        run_tilt_experiment},
+      {"slam_calls", "Nevalainen et al. 2021, Table 2: calls of ICP and Go-ICP, and their time",
+       run_calls_experiment},
+      {"slam_granularity", "Nevalainen et al. 2021, Table 3: the leaves of Go-ICP, nodes and time",
+       run_granularity_experiment},
       {"slam_overlap", "Nevalainen et al. 2021, Figure 8: the overlap of two view cones",
        run_overlap_experiment},
   };
