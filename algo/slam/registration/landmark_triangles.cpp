@@ -20,22 +20,24 @@ using NearList = std::vector<std::uint32_t>;
 
 /// Of each point, the nearest others, in order of index.
 std::vector<NearList> nearest_others(std::span<const Eigen::Vector2d> points, std::size_t count) {
+  constexpr double kLeast_m2 = kShortestTriangleSide_m * kShortestTriangleSide_m;
   std::vector<NearList> near(points.size());
-  std::vector<std::pair<double, std::uint32_t>> others;
+  std::vector<std::pair<double, std::uint32_t>> nearest;  // rising
   for (std::uint32_t i = 0; i < points.size(); ++i) {
-    others.clear();
+    nearest.clear();
     for (std::uint32_t j = 0; j < points.size(); ++j) {
-      const double squared = (points[i] - points[j]).squaredNorm();
-      if (squared >= kShortestTriangleSide_m * kShortestTriangleSide_m) {
-        others.emplace_back(squared, j);
+      const double dx = points[i].x() - points[j].x();
+      const double dy = points[i].y() - points[j].y();
+      const double squared = dx * dx + dy * dy;
+      if (squared < kLeast_m2) continue;
+      if (nearest.size() == count) {
+        if (squared >= nearest.back().first) continue;
+        nearest.pop_back();
       }
+      const std::pair entry(squared, j);
+      nearest.insert(std::upper_bound(nearest.begin(), nearest.end(), entry), entry);
     }
-    const auto kept = static_cast<std::ptrdiff_t>(std::min(count, others.size()));
-    std::nth_element(others.begin(), others.begin() + std::max<std::ptrdiff_t>(kept - 1, 0),
-                     others.end());
-    for (std::ptrdiff_t k = 0; k < kept; ++k) {
-      near[i].push_back(others[static_cast<std::size_t>(k)].second);
-    }
+    for (const auto& [squared, j] : nearest) near[i].push_back(j);
     std::sort(near[i].begin(), near[i].end());
   }
   return near;
