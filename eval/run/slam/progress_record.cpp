@@ -42,7 +42,8 @@ class MapWatch {
 
   [[nodiscard]] MapFigures figures(bool with_noise) const {
     MapFigures figures;
-    figures.blur = std::isfinite(map_.blur()) ? map_.blur() : kNotMeasured;
+    if (!std::isfinite(map_.blur())) return figures;  // no points
+    figures.blur = map_.blur();
     figures.dimension = box_dimension(map_.points_m(), {});
     figures.two_scale_dimension = two_scale_dimension(map_.points_m(), 0.2, 10.0);
     figures.ate_m = ate_of(drive_, map_.poses());
