@@ -98,11 +98,14 @@ Rechain reregister_chain(std::span<const SparseFrame> frames, const FramePoses& 
   Pose3 prediction = Pose3::Identity();  // the last good step: constant velocity
   for (std::size_t l = 0; l + 1 < frames.size(); ++l) {
     const MatchTarget target(frames[l].points_m);
-    const Step step = register_step(target, frames[l + 1].points_m,
-                                    between(T_first_frame, l, l + 1), prediction, rules, settings);
-    if (step.status == StepStatus::kRegistered || step.status == StepStatus::kSearched) {
-      prediction = step.T_target_source;
-    }
+    const Pose3 by_chain = between(T_first_frame, l, l + 1);
+    // Across missing numbers the last step says nothing of this one; the chain does.
+    const bool follows = frames[l + 1].number == frames[l].number + 1;
+    const Step step = register_step(target, frames[l + 1].points_m, by_chain,
+                                    follows ? prediction : by_chain, rules, settings);
+    const bool good =
+        step.status == StepStatus::kRegistered || step.status == StepStatus::kSearched;
+    if (good && follows) prediction = step.T_target_source;
     result.steps.push_back(step.status);
     Pose3 next = result.T_first_frame.back() * step.T_target_source;
     next.linear() = Eigen::Quaterniond(next.linear()).normalized().toRotationMatrix();
