@@ -45,7 +45,7 @@ Metric metric_from(const Json& json) {
   return metric;
 }
 
-SummaryTable table_from(const Json& json) {
+SummaryTable summary_table_from(const Json& json) {
   SummaryTable table;
   table.columns = json.at("columns").get<std::vector<std::string>>();
   table.rows = json.at("rows").get<std::vector<Json>>();
@@ -80,7 +80,7 @@ Summary summary_from(const Json& json) {
   summary.scenario_hash = json.at("scenario_hash");
   summary.results_digest = json.at("results_digest");
   for (const auto& [name, table] : json.at("tables").items()) {
-    summary.tables[name] = table_from(table);
+    summary.tables[name] = summary_table_from(table);
   }
   for (const auto& [name, metric] : json.at("metrics").items()) {
     summary.metrics[name] = metric_from(metric);
