@@ -158,19 +158,20 @@ TEST_CASE("slam methods: what cannot be meant is one line of complaint") {
   const auto run = [&](const SlamSettings& settings, const FramePoses& chain) {
     return run_slam(world.frames, chain, settings);
   };
+  const SlamSettings defaults;
   SlamSettings wrong_start;
   wrong_start.start = "anywhere";
   CHECK_THROWS_WITH(run(slam_settings("orb"), world.T_first_frame), Catch::Contains("landmark_ba"));
   CHECK_THROWS_WITH(run(wrong_start, world.T_first_frame), Catch::Contains("rechained"));
-  CHECK_THROWS_WITH(run({}, FramePoses(2, Pose3::Identity())), Catch::Contains("2 poses"));
+  CHECK_THROWS_WITH(run(defaults, FramePoses(2, Pose3::Identity())), Catch::Contains("2 poses"));
   FramePoses nan = world.T_first_frame;
   nan[1].translation().y() = std::numeric_limits<double>::quiet_NaN();
-  CHECK_THROWS_WITH(run({}, nan), Catch::Contains("pose 1"));
+  CHECK_THROWS_WITH(run(defaults, nan), Catch::Contains("pose 1"));
   FramePoses scaled = world.T_first_frame;
   scaled[2].linear() *= 2.0;
-  CHECK_THROWS_AS(run({}, scaled), UserError);
-  CHECK_THROWS_AS(run_slam({}, std::nullopt, {}), UserError);
+  CHECK_THROWS_AS(run(defaults, scaled), UserError);
+  CHECK_THROWS_AS(run_slam({}, std::nullopt, defaults), UserError);
   auto falling = world.frames;
   falling[2].number = 1;
-  CHECK_THROWS_WITH(run_slam(falling, std::nullopt, {}), Catch::Contains("must rise"));
+  CHECK_THROWS_WITH(run_slam(falling, std::nullopt, defaults), Catch::Contains("must rise"));
 }
