@@ -110,6 +110,42 @@ TEST_CASE("No motion in a box is better than its bound", "[bounds]") {
   CHECK(positive > 100);  // bounds of 0 would hold as well
 }
 
+TEST_CASE("A bound reaches as far as a turn and a shift can, and no farther", "[bounds]") {
+  // One point 10 m out; the target lies where the corner of the box takes it, or 1 cm beyond.
+  const FlatPoints source = {{10.0, 0.0}, {10.0, 0.0}};
+  for (const double turn_rad : {0.02, 0.4, 2.0}) {
+    const MotionBox turns = {{0.0, {0.0, 0.0}}, turn_rad, {0.0, 0.0}};
+    const Eigen::Vector2d reached(10.0 * std::cos(turn_rad), 10.0 * std::sin(turn_rad));
+    const Eigen::Vector2d away = (reached - source[0]).normalized();
+    TrimmedObjective there({{reached}}, source, 2, 30.0);
+    CHECK(there.bound(turns, 1e9, 1e9).lower_m == Approx(0.0).margin(1e-12));
+    TrimmedObjective beyond({{Eigen::Vector2d(reached + 0.01 * away)}}, source, 2, 30.0);
+    CHECK(beyond.bound(turns, 1e9, 1e9).lower_m == Approx(0.01));
+  }
+  const MotionBox shifts = {{0.0, {0.0, 0.0}}, 0.0, {0.3, 0.4}};
+  TrimmedObjective there({{Eigen::Vector2d(10.3, 0.4)}}, source, 2, 30.0);
+  CHECK(there.bound(shifts, 1e9, 1e9).lower_m == Approx(0.0).margin(1e-12));
+  TrimmedObjective beyond({{Eigen::Vector2d(10.36, 0.48)}}, source, 2, 30.0);
+  CHECK(beyond.bound(shifts, 1e9, 1e9).lower_m == Approx(0.1));
+}
+
+TEST_CASE("What a search knows of boxes that it did not cut is part of its lower bound") {
+  TrimmedObjective objective(flat_points(30, 30.0, 6), flat_points(25, 30.0, 7), 10, 10.0);
+  const MotionBox region{{0.3, {1.0, 2.0}}, 0.02, {0.2, 0.2}};
+  SearchLimits limits;
+  limits.gap_m = 0.001;
+  limits.leaf = region;
+  const SearchResult found = branch_and_bound(objective, {region}, region.middle, limits);
+  CHECK(found.nodes == 1);
+  const double lower_m = objective.bound(region, 1e9, 1e9).lower_m;
+  CHECK(found.lower_m == Approx(lower_m));
+  CHECK((lower_m > 0.0 && lower_m < found.best_m));
+
+  const SearchResult none = branch_and_bound(objective, {}, region.middle, limits);
+  CHECK(none.nodes == 0);
+  CHECK(none.best_m == found.best_m);
+}
+
 TEST_CASE("A box without width is bounded by its middle") {
   TrimmedObjective objective(flat_points(80, 50.0, 3), flat_points(60, 50.0, 4), 24, 10.0);
   const MotionBox point = {{0.3, {1.0, 2.0}}, 0.0, {0.0, 0.0}};
