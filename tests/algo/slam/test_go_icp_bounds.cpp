@@ -131,7 +131,7 @@ TEST_CASE("A bound reaches as far as a turn and a shift can, and no farther", "[
 
 TEST_CASE("What a search knows of boxes that it did not cut is part of its lower bound") {
   TrimmedObjective objective(flat_points(30, 30.0, 6), flat_points(25, 30.0, 7), 10, 10.0);
-  const MotionBox region{{0.3, {1.0, 2.0}}, 0.02, {0.2, 0.2}};
+  const MotionBox region{{0.3, {1.0, 2.0}}, 0.04, {0.5, 0.5}};
   SearchLimits limits;
   limits.gap_m = 0.001;
   limits.leaf = region;
