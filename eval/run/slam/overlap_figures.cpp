@@ -68,7 +68,7 @@ ReportFigure draw_overlap_cones(const std::filesystem::path& folder, const Pose2
            " with lines lw 2 lc " + colour + " title '" + what + "'";
   };
   figure.plot({figure.lines("common area: x y", common_rows(T_target_source, cone)) +
-                   " with lines lw 1.4 lc '#CCCCCC' title 'seen by both'",
+                   " with lines lw 1.4 lc '#BBBBBB' title 'seen by both'",
                line("view j", Pose2{}, kBlue), line("view i", T_target_source, kRed)});
   return figure.draw("Figure 8: overlap of view cones",
                      "λ is the grey area as a part of one cone. Arrows: where the scanners face.");

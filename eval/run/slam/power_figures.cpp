@@ -34,8 +34,9 @@ ReportFigure draw_power_frames(const std::filesystem::path& folder,
                                const std::vector<Pose3>& frames) {
   Figure figure(folder, "fig2_frames", 760, 560);
   figure.title("Frames between two frames", "τ_a^(1−u) τ_b^u for 11 values of u; axes of 1 m");
-  figure << "set view 62,338"
+  figure << "set view 62,338,1.7"
          << "set view equal xyz"
+         << "set key at screen 0.97,0.8"
          << "set xyplane relative 0.05"
          << "set border 31"
          << "set xlabel 'x (m)'"
@@ -69,7 +70,7 @@ ReportFigure draw_power_errors(const std::filesystem::path& folder, const PowerE
          << "set xrange [0:1]"
          << "set xlabel 'power u'"
          << "set ylabel 'error (Frobenius norm)'";
-  figure.key_below(115);
+  figure.key_below(125);
   figure.plot(
       {figure.data("inverse power: u error", without_zeros(errors.inverse_power)) +
            " with linespoints lw 1.6 pt 7 ps 0.3 lc " + kBlue + " title 'power u, then power 1/u'",
