@@ -17,7 +17,7 @@ ReportFigure draw_single_view(const std::filesystem::path& folder, const SparseF
          << "set xlabel 'x ahead (m)'"
          << "set ylabel 'y left (m)'"
          << fmt::format("set arrow from 0,0 to 5,0 lw 2.5 lc {} front", kRed);
-  figure.key_below(90);
+  figure.key_below(115);
   figure.plot({figure.data("stems: x y", stems) + " with points pt 7 ps 0.5 lc " + kBlue +
                    " title 'stems found by the edge'",
                figure.data("scanner: x y", std::vector<Eigen::Vector2d>{{0.0, 0.0}}) +
@@ -49,8 +49,9 @@ ReportFigure draw_range_distances(const std::filesystem::path& folder,
            fmt::format(" title 'L0 = {:.2f} m, rim left out'", means.inner_m),
        number(3.5) + " with lines dt 2 lw 1.6 lc " + kGrey + " title 'L0 = 3.5 m, the paper'"});
   return figure.draw("Figure 1: neighbours' distance by range",
-                     "Far stems are seen between near ones only, so their neighbours in the view "
-                     "are farther than in the forest.");
+                     "Close to the scanner is the road, without stems. At the rim nothing is seen "
+                     "beyond, and all neighbours lie to one side; with the rim left out, the far "
+                     "stems that remain are those that others surround.");
 }
 
 }  // namespace honka::eval
