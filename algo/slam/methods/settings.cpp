@@ -34,7 +34,7 @@ void describe(SettingsVisitor& v, VerifiedPairsSettings& s) {
   v.field({"gaps", "", "frames between the two of a pair, a scale each, the finest first",
            "choice: factors of four"},
           s.gaps, Range{1.0, 1e6});
-  v.field({"share_of_frames", "", "pairs tried, at most, of the number of frames",
+  v.field({"share_of_frames", "", "pairs tried, of the number of frames; at most one more a scale",
            "Nevalainen2021, abstract: 4 %"},
           s.share_of_frames, Range{0.0, 10.0});
   v.field({"min_overlap", "", "least overlap of the view cones by the current poses",

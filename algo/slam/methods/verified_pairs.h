@@ -16,11 +16,11 @@ namespace honka {
 /// Which pairs of frames are matched, and when a match counts.
 struct VerifiedPairsSettings {
   std::vector<std::int64_t> gaps = {64, 256, 1024};  ///< scales, in frames
-  double share_of_frames = 0.04;                     ///< at most this many pairs a frame are tried
-  double min_overlap = 0.35;                         ///< λ by the current poses
-  double inlier_ratio = 0.4;                         ///< of the trimmed ICP
-  double polish_distance_m = 0.4;                    ///< as in the chain
-  double min_match_share = 0.33;                     ///< of the common view's points with a partner
+  double share_of_frames = 0.04;      ///< so many pairs a frame, and at most one more a scale
+  double min_overlap = 0.35;          ///< λ by the current poses
+  double inlier_ratio = 0.4;          ///< of the trimmed ICP
+  double polish_distance_m = 0.4;     ///< as in the chain
+  double min_match_share = 0.33;      ///< of the common view's points with a partner
   std::string global = "landmarks";   ///< landmarks | go_icp | none: where ICP is refused
   bool propose = false;               ///< also look for pairs that the poses do not show
   std::int64_t proposal_step = 64;    ///< frames between those that look for each other

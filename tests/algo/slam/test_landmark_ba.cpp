@@ -44,7 +44,7 @@ TEST_CASE("landmark ba: exact observations recover poses and stems from a shaken
   const auto result =
       adjust_landmarks(world.frames, shaken(world.T_first_frame, 0.1), {}, untied());
   CHECK(largest_difference(result.T_first_frame, world.T_first_frame) < 1e-6);
-  CHECK(result.final_cost < 1e-6);
+  CHECK(result.final_cost < 1e-4);  // of the ties, which were measured on the shaken start
   CHECK(result.free_frames == 0);
   for (const MapStem& stem : result.map.stems) {
     double nearest_m = 1e9;
