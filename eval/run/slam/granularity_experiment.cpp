@@ -2,10 +2,8 @@
 
 #include <fmt/format.h>
 
-#include <cmath>
-#include <numbers>
-
 #include "algo/slam/registration/go_icp.h"
+#include "algo/slam/registration/search_size.h"
 #include "algo/types/random.h"
 #include "algo/types/user_error.h"
 #include "eval/run/progress.h"
@@ -16,8 +14,7 @@
 namespace honka::eval {
 namespace {
 
-constexpr std::size_t kGranularityPairs = 100;          // a trial
-constexpr double kSearchVolume_m3 = 10.0 * 10.0 * 2.0;  // Nevalainen2021 §3
+constexpr std::size_t kGranularityPairs = 100;  // a trial
 constexpr std::int64_t kGranularityNodeCap = 500000;
 
 /// A row of the table: a zone of yaw and the half widths of a leaf.
@@ -40,16 +37,9 @@ constexpr Granularity kGranularities[] = {
 
 bool has_size(const Granularity& g) { return g.leaf_deg > 0.0; }
 
-/// Cells of σ_r in a ball of rotations of radius 180°, times cells of σ_t in the search volume.
-double ball_size(const Granularity& g) {
-  return std::numbers::pi / 6.0 * std::pow(180.0 / g.leaf_deg, 3) * kSearchVolume_m3 /
-         std::pow(g.leaf_m, 3);
-}
-
-/// Cells of σ_r in two turns of 180° and one of the zone, times cells of σ_t in the volume.
+double ball_size(const Granularity& g) { return search_size_of_ball(g.leaf_deg, g.leaf_m); }
 double box_size(const Granularity& g) {
-  return std::pow(180.0 / g.leaf_deg, 2) * (g.zone_deg / g.leaf_deg) * kSearchVolume_m3 /
-         std::pow(g.leaf_m, 3);
+  return search_size_of_box(g.leaf_deg, g.leaf_m, g.zone_deg);
 }
 
 GoIcpSettings search_settings(const Granularity& g) {

@@ -2,6 +2,7 @@
 #include <catch2/catch.hpp>
 
 #include "algo/slam/registration/go_icp.h"
+#include "algo/slam/registration/search_size.h"
 #include "algo/slam/registration/share_test.h"
 #include "algo/slam/registration/trimmed_icp.h"
 #include "tests/algo/slam/registration_pairs.h"
@@ -140,6 +141,14 @@ TEST_CASE("Go-ICP answers with the same digits every time, and whatever lies far
   CHECK(result.status == RegistrationStatus::kRegistered);
   CHECK(result.rmse_m < 0.2);
   CHECK((result.T_target_source * far - far).norm() < 0.3);
+}
+
+TEST_CASE("The sizes of Table 3 come from two formulas") {
+  CHECK(search_size_of_ball(1.0, 1.2) == Approx(353.4e6).epsilon(1e-3));
+  CHECK(search_size_of_box(3.7, 1.75, 60.0) == Approx(1.433e6).epsilon(1e-3));
+  // Neither gives the other's figure, nor the printed 1.9 m the printed 1.5e6.
+  CHECK(search_size_of_box(1.0, 1.2, 180.0) > 600e6);
+  CHECK(search_size_of_box(3.7, 1.9, 60.0) < 1.2e6);
 }
 
 TEST_CASE("Finer leaves are more leaves; leaves of L0 are few", "[granularity]") {
