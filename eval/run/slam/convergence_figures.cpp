@@ -56,6 +56,11 @@ void make_contours(Figure& figure, const std::string& surface, const Convergence
   figure << "unset contour\nset surface";
 }
 
+/// From the outer edge of the first cell to that of the last.
+std::string range_of(const char* axis, double step, int count) {
+  return fmt::format("set {}range [{:g}:{:g}]", axis, -0.5 * step, step * (count - 0.5));
+}
+
 ReportFigure draw_grid(const std::filesystem::path& folder, const ConvergenceGrid& grid,
                        const GridView& view, const std::string& caption) {
   Figure figure(folder, view.name, 860, 700);
@@ -66,9 +71,8 @@ ReportFigure draw_grid(const std::filesystem::path& folder, const ConvergenceGri
                                                   grid.shift_step_m, grid.turn_step_deg);
   make_contours(figure, surface, grid, view);
   figure << "set xlabel 'shift δ of the start (m)'"
-         << "set ylabel 'turn θ of the start (°)'"
-         << fmt::format("set xrange [0:{:g}]", grid.shift_step_m * (grid.columns - 1))
-         << fmt::format("set yrange [0:{:g}]", grid.turn_step_deg * (grid.rows - 1))
+         << "set ylabel 'turn θ of the start (°)'" << range_of("x", grid.shift_step_m, grid.columns)
+         << range_of("y", grid.turn_step_deg, grid.rows)
          << "set cblabel '" + std::string(view.scale) + "'" << view.palette;
   figure.key_below(190);
   std::vector<std::string> elements = {surface + " with image notitle"};
