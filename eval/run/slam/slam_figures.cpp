@@ -65,7 +65,9 @@ ReportFigure draw_slam_paths(const std::filesystem::path& folder, const SlamTria
   figure.protocol = "each laid rigidly onto the truth";
   figure.curves.push_back({"truth", path_on_truth(trial.drive, trial.drive.true_T_first_frame)});
   for (const SlamRun& run : trial.runs) {
-    if (run.start == "true_poses") continue;
+    const bool shown =
+        run.treatment == "none" || run.treatment == "landmark_ba" || &run == &shown_end(trial);
+    if (!shown || run.start == "true_poses") continue;
     figure.curves.push_back({fmt::format("{} / {}", run.start, run.treatment),
                              path_on_truth(trial.drive, run.T_first_frame)});
   }

@@ -14,7 +14,7 @@ namespace honka::eval {
 [[nodiscard]] ReportFigure draw_slam_fig11(const std::filesystem::path& folder,
                                            const SlamTrial& trial);
 
-/// The paths of a trial's runs beside the truth, each laid onto it.
+/// The paths of a trial's starts and of its best end beside the truth, each laid onto it.
 [[nodiscard]] ReportFigure draw_slam_paths(const std::filesystem::path& folder,
                                            const SlamTrial& trial);
 
