@@ -31,6 +31,7 @@ class SlamProgress : public SlamObserver {
 
   void during_stage(std::string_view stage, std::size_t done, std::size_t total) override {
     if (!bar_ || stage != stage_) start(stage, static_cast<std::int64_t>(total));
+    bar_->set_total(static_cast<std::int64_t>(total));
     bar_->advance(static_cast<std::int64_t>(done) - done_);
     done_ = static_cast<std::int64_t>(done);
   }
@@ -47,7 +48,7 @@ class SlamProgress : public SlamObserver {
     bar_.reset();
     stage_ = stage;
     done_ = 0;
-    const char* unit = stage == "rechain" ? "frames" : stage == "loop" ? "pairs" : "rounds";
+    const char* unit = stage == "rechain" ? "key frames" : stage == "loop" ? "pairs" : "rounds";
     bar_ = std::make_unique<Progress>(stage_, unit, total);
   }
 

@@ -26,7 +26,8 @@ void send_to(int stream, const fs::path& file) {
 }
 
 bool tells_progress(const std::string& line) {
-  static const std::regex kProgress(R"(.+: \d+ of \d+ (sweeps|key frames|windows|maps)\b.*)");
+  static const std::regex kProgress(
+      R"(.+: \d+ of \d+ (sweeps|key frames|windows|maps|pairs|rounds)\b.*)");
   return std::regex_match(line, kProgress);
 }
 
