@@ -63,7 +63,7 @@ void describe(SettingsVisitor& v, VerifiedPairsSettings& s) {
 
 void describe(SettingsVisitor& v, InterpolatePairsSettings& s) {
   v.field({"side", "", "where the share of a correction acts: in frame l, or in frame j",
-           "Nevalainen2021 Eq. 19 prints right; left has the same ends and no turned axes"},
+           "Nevalainen2021 Eq. (19) prints right; left has the same ends and no turned axes"},
           s.side, update_side_names());
   v.field({"order", "", "of the matches", "choice"}, s.order, correction_order_names());
 }
