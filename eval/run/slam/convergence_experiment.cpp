@@ -18,7 +18,7 @@ constexpr std::size_t kConvergencePairs = 200;  // as in the paper
 constexpr double kOutlierRatio = 0.6;           // the paper's γ
 constexpr double kPaperL0M = 3.5, kPaperTurnDeg = 3.7;
 constexpr double kShiftStepM = 0.25, kTurnStepDeg = 0.75, kTiltStepDeg = 1.0;
-constexpr int kShiftSteps = 17, kTurnSteps = 17, kTiltSteps = 41;
+constexpr int kShiftSteps = 17, kTurnSteps = 17, kTiltSteps = 71;
 
 /// Points of the grid and of each arc, by name.
 using ConvergenceSets = std::vector<std::pair<std::string, std::vector<ConvergencePoint>>>;

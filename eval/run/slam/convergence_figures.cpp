@@ -132,7 +132,7 @@ ReportFigure draw_convergence_success(const std::filesystem::path& folder,
 }
 
 ReportFigure draw_tilt_scene(const std::filesystem::path& folder, const TiltScene& scene) {
-  Figure figure(folder, "fig7_scene", 900, 420);
+  Figure figure(folder, "fig7_scene", 900, 330);
   figure.title("Two frames of the same stems, one tilted",
                fmt::format("{:g}° about the y axis; from the side", scene.tilt_deg));
   figure << "set size ratio -1"
