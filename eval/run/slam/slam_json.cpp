@@ -42,6 +42,7 @@ Json table1_row(const SlamSummaryRow& s, bool beside_paper) {
   put_figure(row, "cluster_rmse_m", s.cluster_rmse_m);
   put_figure(row, "cluster_rmse_floor_m", s.cluster_rmse_floor_m);
   put_figure(row, "ate_m", s.ate_m);
+  put_figure(row, "ate_planar_m", s.ate_planar_m);
   put_figure(row, "corrections", s.corrections);
   put_figure(row, "go_icp_calls", s.go_icp_calls);
   put_figure(row, "cluster_rmse_05_m", s.cluster_rmse_05_m);
@@ -59,6 +60,7 @@ Json methods_row(const SlamSummaryRow& s) {
   put_figure(row, "blur", s.blur);
   put_figure(row, "blur_floor", s.blur_floor);
   put_figure(row, "ate_m", s.ate_m);
+  put_figure(row, "ate_planar_m", s.ate_planar_m);
   put_figure(row, "cluster_rmse_05_m", s.cluster_rmse_05_m);
   put_figure(row, "cluster_rmse_05_floor_m", s.cluster_rmse_05_floor_m);
   put_figure(row, "cluster_rmse_m", s.cluster_rmse_m);

@@ -49,8 +49,14 @@ SlamQuality judge_slam(const SlamDrive& drive, const FramePoses& T_first_frame,
     quality.cluster_rmse_05_m = narrow.mean_rmse_m;
     quality.pooled_rmse_05_m = narrow.pooled_rmse_m;
   }
-  const TrajectoryErrors errors = absolute_errors(laid_on_truth(drive, T_first_frame));
+  const PosePairs pairs = laid_on_truth(drive, T_first_frame);
+  const TrajectoryErrors errors = absolute_errors(pairs);
+  std::vector<double> planar_m;
+  for (const PosePair& pair : pairs.poses) {
+    planar_m.push_back((pair.estimate.translation() - pair.truth.translation()).head<2>().norm());
+  }
   quality.ate_m = rmse(errors.translation_m).value_or(kUnknownQuality);
+  quality.ate_planar_m = rmse(planar_m).value_or(kUnknownQuality);
   quality.ate_deg = rmse(errors.rotation_deg).value_or(kUnknownQuality);
   return quality;
 }

@@ -20,7 +20,8 @@ struct SlamQuality {
   double pooled_rmse_m = std::numeric_limits<double>::quiet_NaN();      ///< link 1.0, pooled
   double pooled_rmse_05_m = std::numeric_limits<double>::quiet_NaN();   ///< link 0.5, pooled
   double ate_m = std::numeric_limits<double>::quiet_NaN();  ///< RMSE of positions, laid on rigidly
-  double ate_deg = std::numeric_limits<double>::quiet_NaN();  ///< RMSE of rotations, likewise
+  double ate_planar_m = std::numeric_limits<double>::quiet_NaN();  ///< of it x and y of truth
+  double ate_deg = std::numeric_limits<double>::quiet_NaN();       ///< RMSE of rotations, likewise
 };
 
 /// Judges poses T_first_frame of all frames of a drive. With the true poses it is the floor: what

@@ -21,9 +21,9 @@ void append_run(Table& table, const SlamTrial& trial, const SlamRun& run) {
                 share_of(trial.stems.truth_matched, trial.stems.truth), q.blur, floor.blur,
                 q.cluster_rmse_m, floor.cluster_rmse_m, q.cluster_rmse_05_m,
                 floor.cluster_rmse_05_m, q.pooled_rmse_m, floor.pooled_rmse_m, q.pooled_rmse_05_m,
-                floor.pooled_rmse_05_m, q.box_dimension, floor.box_dimension, q.ate_m, q.ate_deg,
-                run.corrections, run.candidates, run.icp_calls, run.go_icp_calls, run.time_s,
-                run.icp_s, run.go_icp_s);
+                floor.pooled_rmse_05_m, q.box_dimension, floor.box_dimension, q.ate_m,
+                q.ate_planar_m, q.ate_deg, run.corrections, run.candidates, run.icp_calls,
+                run.go_icp_calls, run.time_s, run.icp_s, run.go_icp_s);
 }
 
 void append_key_frames(Table& table, std::int64_t row, const SlamTrial& trial, const SlamRun& run) {
@@ -66,6 +66,7 @@ Table slam_run_table() {
       {"box_dimension", "", "slope over 0.2 to 3.2 m", numbers},
       {"box_dimension_floor", "", "at true poses", numbers},
       {"ate_m", "m", "RMSE of positions after a rigid alignment", numbers},
+      {"ate_planar_m", "m", "its x and y alone, in the first true frame", numbers},
       {"ate_deg", "deg", "RMSE of rotations after a rigid alignment", numbers},
       {"corrections", "", "corrective matches that were put in", integers},
       {"candidates", "", "pairs that they were chosen from", integers},

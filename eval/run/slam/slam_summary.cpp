@@ -31,6 +31,7 @@ void add_run(SlamSummaryRow& row, const SlamRun& run, const SlamQuality& floor) 
   add_figure(row.box_dimension, q.box_dimension);
   add_figure(row.box_dimension_floor, floor.box_dimension);
   add_figure(row.ate_m, q.ate_m);
+  add_figure(row.ate_planar_m, q.ate_planar_m);
   add_figure(row.ate_deg, q.ate_deg);
   add_count(row.corrections, run.corrections);
   add_count(row.icp_calls, run.icp_calls);

@@ -25,7 +25,7 @@ struct SlamSummaryRow {
   SeedFigure cluster_rmse_m, cluster_rmse_floor_m;        ///< link 1.0 m
   SeedFigure cluster_rmse_05_m, cluster_rmse_05_floor_m;  ///< link 0.5 m
   SeedFigure pooled_rmse_m, box_dimension, box_dimension_floor;
-  SeedFigure ate_m, ate_deg;
+  SeedFigure ate_m, ate_planar_m, ate_deg;
   SeedFigure corrections, icp_calls, go_icp_calls, time_s, icp_ms, go_icp_ms;
   std::int64_t done = 0, trials = 0;
 };
