@@ -13,7 +13,7 @@ namespace {
 
 constexpr double kLineWidthM = 1e-3;  // points within this of a line fix no rotation about it
 
-using Points = std::span<const Eigen::Vector3d>;
+using IcpPoints = std::span<const Eigen::Vector3d>;
 
 /// The pairs that one step is fitted to.
 struct TrimmedPairs {
@@ -25,8 +25,8 @@ struct TrimmedPairs {
 
 /// Partners of all source points at the pose, and the `count` nearest pairs of them. False where
 /// both are what they were.
-bool pair_up(const NearestStems& target, Points target_m, Points source_m, const Pose3& pose,
-             std::size_t count, TrimmedPairs& pairs) {
+bool pair_nearest(const NearestStems& target, IcpPoints target_m, IcpPoints source_m,
+                  const Pose3& pose, std::size_t count, TrimmedPairs& pairs) {
   const bool first = pairs.partner.empty();
   if (first) pairs.partner.resize(source_m.size());
   pairs.order.resize(source_m.size());
@@ -63,7 +63,7 @@ bool pair_up(const NearestStems& target, Points target_m, Points source_m, const
   return changed;
 }
 
-Pose3 fit_pairs(Points target_m, Points source_m, const TrimmedPairs& pairs,
+Pose3 fit_pairs(IcpPoints target_m, IcpPoints source_m, const TrimmedPairs& pairs,
                 const Eigen::Matrix3d& rotation_if_free) {
   std::vector<Eigen::Vector3d> target(pairs.kept.size()), source(pairs.kept.size());
   for (std::size_t k = 0; k < pairs.kept.size(); ++k) {
@@ -136,7 +136,7 @@ void describe(SettingsVisitor& v, TrimmedIcpSettings& s) {
           s.share_distance_m, Range{0.0, 10.0});
 }
 
-RegistrationStatus registrable(Points points_m) {
+RegistrationStatus registrable(IcpPoints points_m) {
   for (const Eigen::Vector3d& p : points_m) {
     if (!p.allFinite()) return RegistrationStatus::kNotFinite;
   }
@@ -154,7 +154,7 @@ RegistrationStatus registrable(Points points_m) {
   return RegistrationStatus::kTooFewPoints;
 }
 
-Pose3 fit_pose(Points target_m, Points source_m, const Eigen::Matrix3d& rotation_if_free) {
+Pose3 fit_pose(IcpPoints target_m, IcpPoints source_m, const Eigen::Matrix3d& rotation_if_free) {
   HONKA_CHECK(!source_m.empty() && source_m.size() == target_m.size(), "a fit needs pairs");
   Eigen::Vector3d target_mean = Eigen::Vector3d::Zero(), source_mean = Eigen::Vector3d::Zero();
   for (const Eigen::Vector3d& p : target_m) target_mean += p;
@@ -180,7 +180,7 @@ Pose3 fit_pose(Points target_m, Points source_m, const Eigen::Matrix3d& rotation
   return pose;
 }
 
-Registration trimmed_icp(const NearestStems& target, Points target_m, Points source_m,
+Registration trimmed_icp(const NearestStems& target, IcpPoints target_m, IcpPoints source_m,
                          const Pose3& T_target_source_guess, const TrimmedIcpSettings& settings) {
   Registration result;
   if (!T_target_source_guess.matrix().allFinite()) {
@@ -196,7 +196,7 @@ Registration trimmed_icp(const NearestStems& target, Points target_m, Points sou
   const auto count =
       std::clamp<std::size_t>(static_cast<std::size_t>(std::ceil(part - 1e-9)), 3, source_m.size());
   TrimmedPairs pairs;
-  bool moving = pair_up(target, target_m, source_m, pose, count, pairs);
+  bool moving = pair_nearest(target, target_m, source_m, pose, count, pairs);
   std::array<IcpStep, 3> last{};
   std::int64_t steps = 0;
   while (steps < settings.max_iterations) {
@@ -206,7 +206,7 @@ Registration trimmed_icp(const NearestStems& target, Points target_m, Points sou
       if (!next.matrix().allFinite()) return beyond_numbers(T_target_source_guess);
       step = step_between(pose, next);
       pose = next;
-      moving = pair_up(target, target_m, source_m, pose, count, pairs);
+      moving = pair_nearest(target, target_m, source_m, pose, count, pairs);
     }
     last[static_cast<std::size_t>(steps % 3)] = step;
     ++steps;
@@ -217,7 +217,7 @@ Registration trimmed_icp(const NearestStems& target, Points target_m, Points sou
   return result;
 }
 
-Registration trimmed_icp(Points target_m, Points source_m, const Pose3& T_target_source_guess,
+Registration trimmed_icp(IcpPoints target_m, IcpPoints source_m, const Pose3& T_target_source_guess,
                          const TrimmedIcpSettings& settings) {
   const RegistrationStatus status = registrable(target_m);
   if (status != RegistrationStatus::kRegistered) {
