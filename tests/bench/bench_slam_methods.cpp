@@ -48,15 +48,18 @@ void bench_rechain(benchmark::State& state) {
 void bench_verified_pairs(benchmark::State& state) {
   const MethodsBenchCase* c = methods_bench_case(state);
   if (c == nullptr) return;
+  const VerifiedPairsSettings settings;
   for (auto _ : state) {
-    benchmark::DoNotOptimize(find_verified_pairs(c->frames, c->rechain, {}, {}, {}));
+    benchmark::DoNotOptimize(find_verified_pairs(c->frames, c->rechain, {}, {}, settings));
   }
 }
 
 void bench_interpolate(benchmark::State& state) {
   const MethodsBenchCase* c = methods_bench_case(state);
   if (c == nullptr) return;
-  for (auto _ : state) benchmark::DoNotOptimize(interpolate_pairs(c->rechain, c->matches, {}));
+  const InterpolatePairsSettings settings;
+  for (auto _ : state)
+    benchmark::DoNotOptimize(interpolate_pairs(c->rechain, c->matches, settings));
 }
 
 FramePoses solved_graph(const MethodsBenchCase& c) {
