@@ -20,12 +20,12 @@ forest.margin_m = 20.0
 forest.density_per_ha = 940.0
 forest.crown.branches = false
 forest.crown.foliage = false
-harvester.least_hop_m = 2.0
-harvester.most_hop_m = 2.0
+harvester.least_hop_m = 5.0
+harvester.most_hop_m = 5.0
 harvester.stems_per_stop = 1
 harvester.process_s = 0.0
 harvester.most_swing_deg = 30.0
-protocol.path_length_m = 4.0
+protocol.path_length_m = 5.0
 odometry.source = "stems"
 stems.height_band = true
 stems.centre = "bias_corrected"
@@ -79,9 +79,9 @@ TEST_CASE("honka run of the SLAM experiment leaves Table 1, tracks that evaluate
 TEST_CASE("the methods stand in one table; a study or a trial that is not there is refused") {
   const TemporaryFolder folder;
   write_raw(folder / "tiny.toml", slam_scenario());
-  const auto outcome = run_honka({"run", "tiny.toml", "--out", "out", "--trial", "1", "-s",
-                                  "slam.study=methods", "-s", "protocol.path_length_m=2.0"},
-                                 folder.path());
+  const auto outcome =
+      run_honka({"run", "tiny.toml", "--out", "out", "--trial", "1", "-s", "slam.study=methods"},
+                folder.path());
   INFO(outcome.err);
   REQUIRE(outcome.exit_code == 0);
   const Json summary = read_json(folder / "out/summary.json");
