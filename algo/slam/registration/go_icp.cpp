@@ -97,9 +97,7 @@ Pose3 in_target(const PlanarMotion& motion, const Eigen::Vector2d& middle_m) {
   return transform;
 }
 
-}  // namespace
-
-void describe(SettingsVisitor& v, GoIcpSettings& s) {
+void describe_search(SettingsVisitor& v, GoIcpSettings& s) {
   v.field({"mode", "", "certify: until the gap is closed; l0: ICP in each leaf of the paper's size",
            "certify: choice; l0: Nevalainen2021 §2.3"},
           s.mode, {"certify", "l0"});
@@ -122,6 +120,9 @@ void describe(SettingsVisitor& v, GoIcpSettings& s) {
           s.leaf_yaw_deg, Range{0.0, 180.0});
   v.field({"range_m", "m", "l0: R of θ0", "Nevalainen2021 §2.3: 35 m"}, s.range_m,
           Range{1.0, 1000.0});
+}
+
+void describe_answer(SettingsVisitor& v, GoIcpSettings& s) {
   v.field({"time_cap_s", "s", "wall clock after which the best so far is the answer; 0 is off",
            "choice"},
           s.time_cap_s, Range{0.0, 1e5});
@@ -138,6 +139,13 @@ void describe(SettingsVisitor& v, GoIcpSettings& s) {
           s.min_evidence, Range{0.0, 1e6});
   v.field({"tilt", "", "roll, pitch and z by a last fit to the partners' heights", "choice"},
           s.tilt);
+}
+
+}  // namespace
+
+void describe(SettingsVisitor& v, GoIcpSettings& s) {
+  describe_search(v, s);
+  describe_answer(v, s);
 }
 
 Registration go_icp(GoIcpCloud target_m, GoIcpCloud source_m, const Pose3& T_target_source_initial,
