@@ -206,8 +206,10 @@ TEST_CASE("paper loop: frames of no use take part in no correction and break not
 
 TEST_CASE("paper loop: nothing to do is done") {
   for (const std::size_t count : {0U, 1U, 2U, 3U}) {
+    const PaperLoopSettings defaults;
     const std::vector<SparseFrame> frames(count);
-    const auto result = run_paper_loop(frames, FramePoses(count, Pose3::Identity()), {}, {}, 1);
+    const auto result =
+        run_paper_loop(frames, FramePoses(count, Pose3::Identity()), {}, defaults, 1);
     CHECK(result.T_first_frame.size() == count);
     CHECK(result.chosen == 0);
     CHECK(result.applied == 0);
