@@ -19,6 +19,7 @@ namespace honka {
 
 /// The iterative improvement of Nevalainen2021, with the choices that its text leaves open as keys.
 struct PaperLoopSettings {
+  PaperLoopSettings();
   CandidatePairSettings pairs;
   std::int64_t corrections = 100;           ///< m, pairs chosen in a round
   std::string order = "medium_gaps_first";  ///< small_gaps_first | medium_gaps_first | random

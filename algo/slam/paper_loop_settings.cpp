@@ -13,6 +13,9 @@ GoIcpSettings paper_go_icp() {
   return settings;
 }
 
+// Not in the header: g++ 12 takes the texts for uninitialized where it inlines all the defaults.
+PaperLoopSettings::PaperLoopSettings() = default;
+
 void describe(SettingsVisitor& v, PaperLoopSettings& s) {
   v.group("pairs", [&] { describe(v, s.pairs); });
   v.field({"corrections", "", "pairs chosen in a round, nearly", "Nevalainen2021 §2.4: m ≈ 100"},

@@ -13,9 +13,6 @@
 namespace honka::eval {
 namespace fs = std::filesystem;
 
-// Here, because g++ 12 warns of what it sees when it puts so many defaults into every caller.
-Scenario::Scenario() = default;
-
 void describe(SettingsVisitor& v, Scenario& s) {
   v.field({"experiment", "", "what is done; honka help experiments", "choice"}, s.experiment, {});
   v.field({"title", "", "of the report", "choice"}, s.title, {});

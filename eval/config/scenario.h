@@ -25,7 +25,6 @@ namespace honka::eval {
 
 /// One reproducible experiment: all that a scenario file says.
 struct Scenario {
-  Scenario();
   std::string experiment = "localization";
   std::string title;
   std::string question;
