@@ -43,8 +43,7 @@ void describe(SettingsVisitor& v, MatchQualitySettings& s) {
   v.field({"share_distance_m", "m", "a neighbour nearer than this counts for the share",
            "choice: five times the noise of a stem"},
           s.share_distance_m, Range{0.0, 10.0});
-  v.field({"min_points", "", "points in the common view below which nothing is judged",
-           "choice"},
+  v.field({"min_points", "", "points in the common view below which nothing is judged", "choice"},
           s.min_points, Range{1.0, 1e6});
 }
 

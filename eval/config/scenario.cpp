@@ -35,8 +35,8 @@ void describe(SettingsVisitor& v, Scenario& s) {
   v.group("simulate", [&] { describe(v, s.simulate); });
   v.group("stands", [&] { describe(v, s.stands); });
   v.group("slam", [&] {
+    describe(v, s.slam_study);  // before the groups of the other: TOML opens a table once
     describe(v, s.slam);
-    describe(v, s.slam_study);
   });
   v.group("link", [&] { describe(v, s.link); });
 }

@@ -24,15 +24,15 @@ enum class RegistrationStatus : std::uint8_t {
 struct Registration {
   RegistrationStatus status = RegistrationStatus::kTooFewPoints;
   Pose3 T_target_source = Pose3::Identity();
-  double rmse_m = 0.0;          ///< over the inlier share of nearest-neighbour distances
-  double overlap = 0.0;         ///< λ of the view cones; 1 where no cone was given
-  int inliers = 0;              ///< source points with a partner under the share distance
-  double share = 0.0;           ///< of the overlap's source points with such a partner
-  double lower_bound_m = 0.0;   ///< of the trimmed RMSE; global methods only
-  double gap_m = 0.0;           ///< rmse of the objective − lower bound; global methods only
-  bool certified = false;       ///< the gap is within its tolerance
-  std::int64_t nodes = 0;       ///< visited by branch and bound
-  int iterations = 0;           ///< of ICP
+  double rmse_m = 0.0;         ///< over the inlier share of nearest-neighbour distances
+  double overlap = 0.0;        ///< λ of the view cones; 1 where no cone was given
+  int inliers = 0;             ///< source points with a partner under the share distance
+  double share = 0.0;          ///< of the overlap's source points with such a partner
+  double lower_bound_m = 0.0;  ///< of the trimmed RMSE; global methods only
+  double gap_m = 0.0;          ///< rmse of the objective − lower bound; global methods only
+  bool certified = false;      ///< the gap is within its tolerance
+  std::int64_t nodes = 0;      ///< visited by branch and bound
+  int iterations = 0;          ///< of ICP
 
   [[nodiscard]] bool usable() const { return status == RegistrationStatus::kRegistered; }
 };

@@ -1,7 +1,8 @@
 // Key frames of stems and their chain, plain and gzipped; every complaint names its place.
+#include "eval/io/frames_csv.h"
+
 #include <cmath>
 
-#include "eval/io/frames_csv.h"
 #include "eval/io/gzip.h"
 #include "tests/eval/io/temporary_folder.h"
 
