@@ -121,11 +121,13 @@ Drive drive_and_scan(const DriveOrder& order, const Scenario& scenario, std::uin
                             take(key_frame, std::move(scans));
                           });
   const bool casts = odometry->needs_returns();
-  Progress progress(casts ? what : what + ", poses alone", "sweeps", sweeps);
-  drive.track =
-      drive_with_odometry(*drive.vehicle, lidar, *odometry, threads, progress, [&](DriveSweep&& s) {
-        if (casts) builder.add(s.estimate, &s.sweep);
-      });
+  {
+    Progress progress(casts ? what : what + ", poses alone", "sweeps", sweeps);
+    drive.track = drive_with_odometry(*drive.vehicle, lidar, *odometry, threads, progress,
+                                      [&](DriveSweep&& s) {
+                                        if (casts) builder.add(s.estimate, &s.sweep);
+                                      });
+  }
   if (casts) {
     drive.T_world_odom = laid_onto_world(drive.key_frames);
   } else {

@@ -18,8 +18,8 @@ struct LinkPanel {
 };
 
 std::array<LinkPanel, 3> link_panels() {
-  return {{{"ATE (m)", true, [](const LinkRow& r) { return r.quality.ate_m; }, {}},
-           {"cluster RMSE (m)", false, [](const LinkRow& r) { return r.quality.cluster_rmse_m; },
+  return {{{"ATE in plan (m)", true, [](const LinkRow& r) { return r.quality.ate_planar_m; }, {}},
+           {"cluster RMSE (m)", true, [](const LinkRow& r) { return r.quality.cluster_rmse_m; },
             [](const LinkRow& r) { return r.floor.cluster_rmse_m; }},
            {"true stems in the map", false,
             [](const LinkRow& r) { return double(r.quality.stems_mapped); },
@@ -70,6 +70,17 @@ std::string tics_of(const std::vector<LinkCurve>& curves) {
   return tics;
 }
 
+/// A logarithmic axis that ends a little beyond the points.
+std::string range_of(const std::vector<LinkCurve>& curves) {
+  if (curves.empty()) return "set xrange [1:100]";
+  const auto& points = curves.front().points;
+  const auto [least, most] = std::minmax_element(
+      points.begin(), points.end(),
+      [](const LinkScores* a, const LinkScores* b) { return a->link.value < b->link.value; });
+  return "set xrange [" + number(80.0 * (*least)->link.value) + ":" +
+         number(125.0 * (*most)->link.value) + "]";
+}
+
 void draw_panel(Figure& figure, const LinkPanel& panel, const std::vector<LinkCurve>& curves,
                 bool with_key) {
   std::vector<std::string> elements;
@@ -102,7 +113,7 @@ ReportFigure draw_link_quality(const std::filesystem::path& folder, const std::s
   const std::string title = "Map quality against " + series;
   const std::size_t drives = curves.empty() ? 0 : curves.front().points.front()->trials.size();
   const std::string protocol = fmt::format(
-      "mean over {} drives, 95 % intervals; dotted: the same frames at true poses", drives);
+      "mean over drives: {}, 95 % intervals; dotted: the same frames at true poses", drives);
   Figure figure(folder, "quality_" + series, 1000, 250 * static_cast<int>(panels.size()) + 60);
   figure << "set multiplot layout " + std::to_string(panels.size()) + ",1 title " +
                 gnuplot_text(title + ": " + protocol) + " font ',13'"
@@ -112,12 +123,14 @@ ReportFigure draw_link_quality(const std::filesystem::path& folder, const std::s
          << "set xtics (" + tics_of(curves) + ")";
   figure << (is_bandwidth ? "set logscale x\nset xlabel 'bandwidth (% of the need), logarithmic'"
                           : "set xlabel 'lost on the air (%)'");
+  if (is_bandwidth) figure << range_of(curves);
   for (std::size_t i = 0; i < panels.size(); ++i) draw_panel(figure, panels[i], curves, i == 0);
   figure << "unset multiplot";
-  return figure.draw(title,
-                     "Error of the arrived frames' positions after rigid alignment, spread of the "
-                     "stems' registrations, and true stems with a stem of the map within half a "
-                     "metre.");
+  return figure.draw(
+      title,
+      "Error in plan of the arrived frames' positions after rigid alignment, spread of the "
+      "stems' registrations, and true stems with a stem of the map within half a "
+      "metre.");
 }
 
 }  // namespace honka::eval

@@ -29,6 +29,7 @@ const LinkFigureName kLinkFigures[] = {
     {"cluster_rmse_m", [](const LinkRow& r) { return r.quality.cluster_rmse_m; }},
     {"cluster_rmse_floor_m", [](const LinkRow& r) { return r.floor.cluster_rmse_m; }},
     {"ate_m", [](const LinkRow& r) { return r.quality.ate_m; }},
+    {"ate_planar_m", [](const LinkRow& r) { return r.quality.ate_planar_m; }},
     {"stems_mapped", [](const LinkRow& r) { return double(r.quality.stems_mapped); }},
     {"stems_mapped_floor", [](const LinkRow& r) { return double(r.floor.stems_mapped); }},
     {"stems_false", [](const LinkRow& r) { return double(r.quality.stems_false); }},

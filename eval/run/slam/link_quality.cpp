@@ -9,7 +9,6 @@
 #include "algo/slam/map_quality/clusters.h"
 #include "eval/metrics/statistics.h"
 #include "eval/metrics/trajectory_alignment.h"
-#include "eval/metrics/trajectory_errors.h"
 
 namespace honka::eval {
 namespace {
@@ -34,6 +33,17 @@ std::optional<Similarity3> laid_onto_truth(const PosePairs& pairs) {
     if (result.status == AlignmentStatus::kAligned) return result.T_truth_estimate;
   }
   return std::nullopt;
+}
+
+void judge_path(const PosePairs& aligned, LinkMapQuality& quality) {
+  std::vector<double> errors_m, planar_m;
+  for (const PosePair& pair : aligned.poses) {
+    const Eigen::Vector3d error_m = pair.estimate.translation() - pair.truth.translation();
+    errors_m.push_back(error_m.norm());
+    planar_m.push_back(error_m.head<2>().norm());
+  }
+  if (const auto error_m = rmse(errors_m)) quality.ate_m = *error_m;
+  if (const auto error_m = rmse(planar_m)) quality.ate_planar_m = *error_m;
 }
 
 void judge_stems(const SlamDrive& drive, std::span<const MapStem> stems,
@@ -71,8 +81,7 @@ LinkMapQuality judge_link_map(const SlamDrive& drive, std::span<const SparseFram
   const PosePairs pairs = pairs_of(drive, frames, T_first_frame);
   const auto T_truth_map = laid_onto_truth(pairs);
   if (!T_truth_map) return quality;
-  quality.ate_m =
-      rmse(absolute_errors(moved(pairs, *T_truth_map)).translation_m).value_or(quality.ate_m);
+  judge_path(moved(pairs, *T_truth_map), quality);
   judge_stems(drive, stems, *T_truth_map, quality);
   return quality;
 }

@@ -15,7 +15,8 @@ struct LinkMapQuality {
   double blur = std::numeric_limits<double>::quiet_NaN();            ///< β, 0.2 and 10 m
   double cluster_rmse_m = std::numeric_limits<double>::quiet_NaN();  ///< e_C, link 0.5 m, mean
   double ate_m = std::numeric_limits<double>::quiet_NaN();  ///< RMSE of positions, rigidly aligned
-  double stem_rmse_m = std::numeric_limits<double>::quiet_NaN();  ///< of mapped stems, planar
+  double ate_planar_m = std::numeric_limits<double>::quiet_NaN();  ///< of it x and y of truth
+  double stem_rmse_m = std::numeric_limits<double>::quiet_NaN();   ///< of mapped stems, planar
   std::int64_t stems_mapped = 0;  ///< true stems with a stem of the map within the gate
   std::int64_t stems_false = 0;   ///< stems of the map without a true one
 };

@@ -29,6 +29,7 @@ Table link_trial_table() {
       {"cluster_rmse_m", "m", "mean over clusters, link 0.5 m", numbers},
       {"cluster_rmse_floor_m", "m", "of the same frames at true poses", numbers},
       {"ate_m", "m", "RMSE of positions after rigid alignment", numbers},
+      {"ate_planar_m", "m", "of it x and y of truth", numbers},
       {"stems_mapped", "", "true stems in the map", integers},
       {"stems_mapped_floor", "", "of the same frames at true poses", integers},
       {"stems_false", "", "stems of the map without a true one", integers},
@@ -45,8 +46,8 @@ void append_link_rows(Table& table, const LinkTrial& trial) {
                   row.status, t.edge.offered, t.edge.sent, t.queue_full + t.too_large,
                   t.lost_on_air, t.arrived, t.late, t.edge.bytes_sent, t.bytes_on_air, t.age_p50_s,
                   t.age_p95_s, t.behind_m, q.blur, floor.blur, q.cluster_rmse_m,
-                  floor.cluster_rmse_m, q.ate_m, q.stems_mapped, floor.stems_mapped, q.stems_false,
-                  q.stem_rmse_m, row.map_s);
+                  floor.cluster_rmse_m, q.ate_m, q.ate_planar_m, q.stems_mapped, floor.stems_mapped,
+                  q.stems_false, q.stem_rmse_m, row.map_s);
   }
 }
 

@@ -30,7 +30,7 @@ std::string value_text(const LinkCase& link) {
   return fmt::format("{:g} %", 100.0 * link.value);
 }
 
-/// "0.034 / 0.026": ours beside the floor.
+/// "0.034 / 0.026": ours beside the floor, or beside another figure.
 std::string over_floor(const LinkScores& s, const LinkScores::Figure& ours,
                        const LinkScores::Figure& floor, int decimals) {
   return fixed(s.mean_of(ours), decimals) + " / " + fixed(s.mean_of(floor), decimals);
@@ -47,7 +47,7 @@ std::vector<ReportHeader> series_headers(const std::string& series) {
                                  {"behind", "m"},
                                  {"β / floor"},
                                  {"cluster RMSE / floor", "m"},
-                                 {"ATE", "m"},
+                                 {"ATE / in plan", "m"},
                                  {"stems mapped / floor"},
                                  {"false"},
                                  {"stem RMSE", "m"}});
@@ -87,8 +87,9 @@ std::vector<ReportCell> map_cells(const LinkScores& s) {
           {over_floor(
               s, [](const auto& r) { return r.quality.cluster_rmse_m; },
               [](const auto& r) { return r.floor.cluster_rmse_m; }, 3)},
-          {mean_text(
-              s, [](const auto& r) { return r.quality.ate_m; }, 3)},
+          {over_floor(
+              s, [](const auto& r) { return r.quality.ate_m; },
+              [](const auto& r) { return r.quality.ate_planar_m; }, 3)},
           {over_floor(
               s, [](const auto& r) { return double(r.quality.stems_mapped); },
               [](const auto& r) { return double(r.floor.stems_mapped); }, 0)},
@@ -121,7 +122,8 @@ std::vector<std::string> link_protocol() {
       fmt::format("Floors: the same frames at their true poses. β (Nevalainen2021 Eq. 30) and the "
                   "cluster RMSE (link 0.5 m, at least 15 points) fall with the number of frames; "
                   "compare them with their floors alone. ATE: RMSE of the arrived frames' "
-                  "positions after rigid alignment. Mapped: true stems within {} m of a stem of "
+                  "positions after rigid alignment, and of their x and y. Mapped: true stems "
+                  "within {} m of a stem of "
                   "the map so aligned; false: stems of the map without one.",
                   kMappedStemGate_m),
       "All links of a drive have the same chances: what is lost at 10 % is lost at 20 % too.",
@@ -133,7 +135,7 @@ ReportTable link_need_table(const std::vector<LinkTrial>& trials) {
   const auto n = static_cast<double>(trials.size());
   ReportTable table;
   table.title = "What the edge has to say";
-  table.protocol = fmt::format("{:.0f} m and {:.0f} s a drive, mean over {} drives",
+  table.protocol = fmt::format("{:.0f} m and {:.0f} s a drive, mean over drives: {}",
                                need.length_m / n, need.duration_s / n, trials.size());
   table.headers = {{"what"}, {"a metre", "kB"}, {"a second", "kB"}};
   const auto row = [&](const std::string& what, double bytes, std::optional<double> paper) {
@@ -156,7 +158,7 @@ ReportTable link_need_table(const std::vector<LinkTrial>& trials) {
 ReportTable link_series_table(const std::string& series, const std::vector<LinkScores>& scores) {
   ReportTable table;
   table.title = "Map quality by " + series;
-  table.protocol = fmt::format("mean over {} drives; the map when the drive ended",
+  table.protocol = fmt::format("mean over drives: {}; the map when the drive ended",
                                scores.empty() ? 0 : scores.front().trials.size());
   table.headers = series_headers(series);
   for (const LinkScores& s : scores) {
