@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 #include "algo/localize/li2020/li2020.h"
 #include "algo/types/user_error.h"
@@ -34,6 +35,16 @@ std::string_view verdict_name(Verdict verdict) {
   constexpr std::array<std::string_view, 4> kNames = {"accepted", "ambiguous", "not_in_map",
                                                       "too_few_stems"};
   return kNames.at(static_cast<std::size_t>(verdict));
+}
+
+void check_prior(const std::optional<LocatePrior>& prior) {
+  if (!prior) return;
+  const bool finite = prior->position_in_map_m.allFinite() && std::isfinite(prior->radius_m);
+  if (finite && prior->radius_m > 0.0) return;
+  throw UserError(
+      fmt::format("the prior {}, {} with radius {} m is not a place: give x, y and a "
+                  "radius above 0",
+                  prior->position_in_map_m.x(), prior->position_in_map_m.y(), prior->radius_m));
 }
 
 const std::vector<std::string>& matcher_names() {

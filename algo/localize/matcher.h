@@ -4,6 +4,7 @@
 #include <array>
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -49,6 +50,15 @@ struct StarMatch {
   bool agrees = false;      ///< residual_m is below the agreement
 };
 
+/// What else is known of the place of the sensor, from GNSS or from the last pose.
+struct LocatePrior {
+  Eigen::Vector2d position_in_map_m = Eigen::Vector2d::Zero();
+  double radius_m = 0.0;  ///< the sensor is within this of the position; an answer never is not
+};
+
+/// Throws UserError at a position not finite or a radius not positive.
+void check_prior(const std::optional<LocatePrior>& prior);
+
 /// The answer for one local stem list.
 struct LocateResult {
   Verdict verdict = Verdict::kTooFewStems;
@@ -60,8 +70,11 @@ struct LocateResult {
   int agreeing = 0;     ///< matches that agree with the pose
   int inliers = 0;      ///< distinct local stems in agreeing matches
   double margin = 0.0;  ///< li2020: agreeing / matches; 0 without a match
-  double cost_m = 0.0;  ///< Li2020 Eq. (4) at the pose
-  int chosen = -1;      ///< index into star_matches of the pose's match
+  /// Of (x, y, yaw) in the map frame, m² and rad², from the residuals of the pairs; of accepted
+  /// poses, by matchers that estimate it.
+  std::optional<Eigen::Matrix3d> covariance;
+  double cost_m = 0.0;                  ///< Li2020 Eq. (4) at the pose
+  int chosen = -1;                      ///< index into star_matches of the pose's match
   std::vector<StarMatch> star_matches;  ///< in the order of local triangles, for figures
 
   [[nodiscard]] bool accepted() const { return verdict == Verdict::kAccepted; }
@@ -72,11 +85,17 @@ class Matcher {
  public:
   virtual ~Matcher() = default;
 
-  /// N stems seen from the sensor (the local origin), metres → pose of the sensor in the map. Any
-  /// number of stems is an answerable question. Throws UserError at a coordinate not finite.
-  /// Safe to call from several threads.
-  [[nodiscard]] virtual LocateResult locate(
-      const std::vector<Eigen::Vector2d>& stems_in_local_m) const = 0;
+  /// N stems seen from the sensor (the local origin), metres → pose of the sensor in the map; with
+  /// a prior, among the places it allows. Any number of stems is an answerable question. Throws
+  /// UserError at a coordinate not finite or a radius not positive. Safe to call from several
+  /// threads.
+  [[nodiscard]] virtual LocateResult locate(const std::vector<Eigen::Vector2d>& stems_in_local_m,
+                                            const std::optional<LocatePrior>& prior) const = 0;
+
+  /// Without a prior.
+  [[nodiscard]] LocateResult locate(const std::vector<Eigen::Vector2d>& stems_in_local_m) const {
+    return locate(stems_in_local_m, std::nullopt);
+  }
 };
 
 /// Everything a scenario can say about localization.

@@ -98,7 +98,7 @@ Li2020Matcher::Candidate Li2020Matcher::make_candidate(const TriangleStar& local
 
 std::vector<Li2020Matcher::Candidate> Li2020Matcher::match_stars(
     const std::vector<TriangleStar>& local_stars, const DelaunayGraph& graph,
-    int& candidates) const {
+    const PlaceFilter& allows, int& candidates) const {
   const double gate_m = settings_.vertex_gate_m;
   std::vector<Candidate> kept;
   std::vector<std::size_t> found;
@@ -114,6 +114,7 @@ std::vector<Li2020Matcher::Candidate> Li2020Matcher::match_stars(
       ++candidates;
       if (best && like->dissimilarity_m2 >= best->match.dissimilarity_m2) continue;
       Candidate c = make_candidate(local, graph, map, *like);
+      if (!allows(c.pose.T_map_local)) continue;
       if (gate_m > 0.0 && largest_residual_m(c.pose, c.pose.T_map_local) > gate_m) continue;
       best = std::move(c);
     }
@@ -128,7 +129,9 @@ Selection Li2020Matcher::select(const std::vector<Candidate>& kept) const {
   return settings_.selection == "box" ? select_in_box(poses) : select_candidate(poses);
 }
 
-LocateResult Li2020Matcher::locate(const Points& stems_in_local_m) const {
+LocateResult Li2020Matcher::locate(const Points& stems_in_local_m,
+                                   const std::optional<LocatePrior>& prior) const {
+  check_prior(prior);
   LocateResult result;
   result.stems = static_cast<int>(stems_in_local_m.size());
 
@@ -140,7 +143,12 @@ LocateResult Li2020Matcher::locate(const Points& stems_in_local_m) const {
   if (local_stars.empty()) return result;
 
   // Matches, each with the pose of Eqs. (1)–(3)
-  const auto kept = match_stars(local_stars, graph, result.candidates);
+  const auto allows = [&](const Pose2& T_map_local) {
+    if (!prior) return true;
+    const Eigen::Vector2d sensor_m = T_map_local * Eigen::Vector2d(-centre) + centre_m_;
+    return (sensor_m - prior->position_in_map_m).norm() <= prior->radius_m;
+  };
+  const auto kept = match_stars(local_stars, graph, allows, result.candidates);
   result.matches = static_cast<int>(kept.size());
   result.verdict = Verdict::kNotInMap;
   if (kept.empty()) return result;

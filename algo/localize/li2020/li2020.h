@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <functional>
 #include <vector>
 
 #include "algo/localize/li2020/pairing.h"
@@ -18,8 +19,9 @@ class Li2020Matcher final : public Matcher {
   /// finite, an unknown word in the settings, or a map without a triangle with three neighbours.
   Li2020Matcher(const std::vector<Eigen::Vector2d>& stems_in_map_m, Li2020Settings settings);
 
-  [[nodiscard]] LocateResult locate(
-      const std::vector<Eigen::Vector2d>& stems_in_local_m) const override;
+  using Matcher::locate;
+  [[nodiscard]] LocateResult locate(const std::vector<Eigen::Vector2d>& stems_in_local_m,
+                                    const std::optional<LocatePrior>& prior) const override;
 
   /// The map's triangulation as build_delaunay gives it, vertices then relative to centre_m().
   [[nodiscard]] const DelaunayGraph& map_graph() const { return map_; }
@@ -32,11 +34,14 @@ class Li2020Matcher final : public Matcher {
     StarMatch match;
     PoseCandidate pose;
   };
+  /// Whether a prior allows a pose, centred coordinates to centred coordinates.
+  using PlaceFilter = std::function<bool(const Pose2&)>;
 
   [[nodiscard]] Candidate make_candidate(const TriangleStar& local, const DelaunayGraph& graph,
                                          const TriangleStar& map, const StarLikeness& like) const;
   [[nodiscard]] std::vector<Candidate> match_stars(const std::vector<TriangleStar>& local_stars,
                                                    const DelaunayGraph& graph,
+                                                   const PlaceFilter& allows,
                                                    int& candidates) const;
   [[nodiscard]] Selection select(const std::vector<Candidate>& kept) const;
 
