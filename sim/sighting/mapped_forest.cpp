@@ -1,0 +1,77 @@
+#include "sim/sighting/mapped_forest.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "algo/types/angles.h"
+#include "algo/types/user_error.h"
+
+namespace honka::sim {
+namespace {
+
+constexpr double kM2PerHa = 1e4;
+constexpr double kFreeAroundSensor_m = 1.0;  // nobody parks a machine on a tree
+
+SpacingDomain square_domain(std::int64_t stems, double density_per_ha) {
+  SpacingDomain domain;
+  domain.count = stems;
+  domain.spacing_m = std::sqrt(kM2PerHa / density_per_ha);
+  const double half_m = 0.5 * domain.spacing_m * std::sqrt(static_cast<double>(stems));
+  domain.box_m =
+      Eigen::AlignedBox2d(Eigen::Vector2d::Constant(-half_m), Eigen::Vector2d::Constant(half_m));
+  return domain;
+}
+
+/// What became of each tree: mapped or not, where, felled or not.
+void map_trees(MappedForest& forest, const MappingSettings& mapping, std::uint64_t seed) {
+  for (std::size_t i = 0; i < forest.trees_m.size(); ++i) {
+    RandomStream stream(seed, "mapped_tree", {i});
+    const bool mapped = stream.uniform() >= mapping.missed_share;
+    const bool felled = stream.uniform() < mapping.felled_share;
+    const Eigen::Vector2d error_m(stream.normal(0.0, mapping.noise_m),
+                                  stream.normal(0.0, mapping.noise_m));
+    forest.in_map.push_back(mapped ? 1 : 0);
+    forest.standing.push_back(felled ? 0 : 1);
+    if (mapped) forest.map_m.emplace_back(forest.trees_m[i] + error_m);
+  }
+}
+
+bool is_clear(const MappedForest& forest, const Eigen::Vector2d& place_m) {
+  const auto near = forest.near->within(place_m, kFreeAroundSensor_m);
+  return std::none_of(near.begin(), near.end(),
+                      [&](std::uint32_t tree) { return forest.standing[tree] != 0; });
+}
+
+}  // namespace
+
+std::unique_ptr<MappedForest> make_mapped_forest(const SpacingSettings& spacing,
+                                                 double density_per_ha,
+                                                 const MappingSettings& mapping,
+                                                 std::uint64_t seed) {
+  const SpacingDomain domain = square_domain(mapping.stems, density_per_ha);
+  auto forest = std::make_unique<MappedForest>();
+  forest->box_m = domain.box_m;
+  forest->trees_m = place_stems(spacing, domain, seed);
+  forest->near = std::make_unique<KdTree2>(forest->trees_m);
+  map_trees(*forest, mapping, seed);
+  return forest;
+}
+
+Pose2 draw_pose(const MappedForest& forest, double border_m, std::uint64_t seed,
+                std::uint64_t query) {
+  const Eigen::Vector2d low_m = forest.box_m.min().array() + border_m;
+  const Eigen::Vector2d high_m = forest.box_m.max().array() - border_m;
+  constexpr int kTries = 10000;
+  RandomStream stream(seed, "sighting_pose", {query});
+  for (int i = 0; i < kTries && (low_m.array() < high_m.array()).all(); ++i) {
+    const double x_m = stream.uniform(low_m.x(), high_m.x());
+    const Eigen::Vector2d place_m(x_m, stream.uniform(low_m.y(), high_m.y()));
+    const double yaw_rad = wrap_to_pi(stream.uniform(-kPi, kPi));
+    if (is_clear(forest, place_m)) return {place_m, yaw_rad};
+  }
+  throw UserError(
+      "sighting.border_m leaves no place for the sensor in the forest; make it smaller, or give "
+      "more stems (sighting.map.stems) or fewer a hectare (forest.density_per_ha)");
+}
+
+}  // namespace honka::sim
