@@ -12,14 +12,41 @@ namespace {
 constexpr double kM2PerHa = 1e4;
 constexpr double kFreeAroundSensor_m = 1.0;  // nobody parks a machine on a tree
 
-SpacingDomain square_domain(std::int64_t stems, double density_per_ha) {
+/// Most stems of one run of a spacing process: beyond, its moves miss the cache and take 5 times as
+/// long each.
+constexpr std::int64_t kTileStems = 10000;
+
+SpacingDomain square(const Eigen::Vector2d& low_m, double side_m, std::int64_t stems,
+                     double density_per_ha) {
   SpacingDomain domain;
   domain.count = stems;
   domain.spacing_m = std::sqrt(kM2PerHa / density_per_ha);
-  const double half_m = 0.5 * domain.spacing_m * std::sqrt(static_cast<double>(stems));
-  domain.box_m =
-      Eigen::AlignedBox2d(Eigen::Vector2d::Constant(-half_m), Eigen::Vector2d::Constant(half_m));
+  domain.box_m = Eigen::AlignedBox2d(low_m, low_m + Eigen::Vector2d::Constant(side_m));
   return domain;
+}
+
+/// Large forests in square tiles, each with a seed of its own. Each tile is a torus, so that the
+/// density is even up to its sides; stems on two sides of a seam do not feel each other. Rows are
+/// planted in one piece: they run on.
+Points grow(const SpacingSettings& spacing, double density_per_ha, std::int64_t stems,
+            double side_m, std::uint64_t seed) {
+  std::int64_t tiles = 1;
+  while (spacing.process != Rows::kName && stems / (tiles * tiles) > kTileStems) ++tiles;
+  const double tile_m = side_m / static_cast<double>(tiles);
+  const Eigen::Vector2d low_m = Eigen::Vector2d::Constant(-0.5 * side_m);
+  Points trees_m;
+  for (std::int64_t tile = 0; tile < tiles * tiles; ++tile) {
+    const Eigen::Vector2d corner_m =
+        low_m + tile_m * Eigen::Vector2d(static_cast<double>(tile % tiles),
+                                         static_cast<double>(tile / tiles));
+    const std::int64_t until = (tile + 1) * stems / (tiles * tiles);
+    const SpacingDomain domain =
+        square(corner_m, tile_m, until - tile * stems / (tiles * tiles), density_per_ha);
+    const auto id = static_cast<std::uint64_t>(tile);
+    const Points placed = place_stems(spacing, domain, derive_seed(seed, "forest_tile", {id}));
+    trees_m.insert(trees_m.end(), placed.begin(), placed.end());
+  }
+  return trees_m;
 }
 
 /// What became of each tree: mapped or not, where, felled or not.
@@ -48,10 +75,11 @@ std::unique_ptr<MappedForest> make_mapped_forest(const SpacingSettings& spacing,
                                                  double density_per_ha,
                                                  const MappingSettings& mapping,
                                                  std::uint64_t seed) {
-  const SpacingDomain domain = square_domain(mapping.stems, density_per_ha);
+  const double side_m = std::sqrt(static_cast<double>(mapping.stems) * kM2PerHa / density_per_ha);
+  const Eigen::Vector2d corner_m = Eigen::Vector2d::Constant(0.5 * side_m);
   auto forest = std::make_unique<MappedForest>();
-  forest->box_m = domain.box_m;
-  forest->trees_m = place_stems(spacing, domain, seed);
+  forest->box_m = Eigen::AlignedBox2d(-corner_m, corner_m);
+  forest->trees_m = grow(spacing, density_per_ha, mapping.stems, side_m, seed);
   forest->near = std::make_unique<KdTree2>(forest->trees_m);
   map_trees(*forest, mapping, seed);
   return forest;

@@ -55,6 +55,29 @@ TEST_CASE("A map lacks, moves and keeps what was asked for") {
   CHECK(std::sqrt(0.5 * squares / static_cast<double>(row)) == Approx(0.1).margin(0.003));
 }
 
+TEST_CASE("A large forest is made of tiles that differ, and is as dense at their seams") {
+  MappingSettings mapping;
+  mapping.stems = 45000;  // 3 x 3 tiles
+  const auto forest = make_mapped_forest(quick_spacing("strauss"), 400.0, mapping, 3);
+  REQUIRE(forest->trees_m.size() == 45000);
+  const double tile_m = forest->box_m.sizes().x() / 3.0;
+  const Eigen::Vector2d low_m = forest->box_m.min();
+  double near_seam = 0.0;
+  const double band_m = 10.0;
+  for (const auto& tree_m : forest->trees_m) {
+    const double from_seam_m = std::abs(tree_m.x() - low_m.x() - tile_m);
+    if (from_seam_m < band_m) near_seam += 1.0;
+  }
+  const double band_ha = 2.0 * band_m * forest->box_m.sizes().y() * 1e-4;
+  CHECK(near_seam / band_ha == Approx(400.0).epsilon(0.1));
+  std::size_t repeated = 0;
+  for (std::size_t i = 0; i < 100; ++i) {
+    const Eigen::Vector2d beside_m = forest->trees_m[i] + Eigen::Vector2d(tile_m, 0.0);
+    if (forest->near->any_within(beside_m, 0.05)) ++repeated;
+  }
+  CHECK(repeated < 5);
+}
+
 TEST_CASE("A forest is the hash of its seed") {
   const auto make = [](std::uint64_t seed) {
     return make_mapped_forest(quick_spacing("strauss"), 367.0, MappingSettings{500}, seed);
