@@ -18,27 +18,65 @@ constexpr double kVoteShift_m = 1.0;
 
 using NearList = std::vector<std::uint32_t>;
 
-/// Of each point, the nearest others, in order of index.
-std::vector<NearList> nearest_others(std::span<const Eigen::Vector2d> points, std::size_t count) {
-  constexpr double kLeast_m2 = kShortestTriangleSide_m * kShortestTriangleSide_m;
-  std::vector<NearList> near(points.size());
-  std::vector<std::pair<double, std::uint32_t>> nearest;  // rising
-  for (std::uint32_t i = 0; i < points.size(); ++i) {
-    nearest.clear();
-    for (std::uint32_t j = 0; j < points.size(); ++j) {
-      const double dx = points[i].x() - points[j].x();
-      const double dy = points[i].y() - points[j].y();
-      const double squared = dx * dx + dy * dy;
-      if (squared < kLeast_m2) continue;
-      if (nearest.size() == count) {
-        if (squared >= nearest.back().first) continue;
-        nearest.pop_back();
-      }
-      const std::pair entry(squared, j);
-      nearest.insert(std::upper_bound(nearest.begin(), nearest.end(), entry), entry);
+/// The points nearest to one, at most so many, rising by distance and index.
+class NearestOthers {
+ public:
+  explicit NearestOthers(std::size_t count) : count_(count) {}
+
+  void offer(double squared_m2, std::uint32_t index) {
+    if (squared_m2 < kLeast_m2) return;
+    const std::pair entry(squared_m2, index);
+    if (nearest_.size() == count_) {
+      if (nearest_.back() <= entry) return;
+      nearest_.pop_back();
     }
-    for (const auto& [squared, j] : nearest) near[i].push_back(j);
-    std::sort(near[i].begin(), near[i].end());
+    nearest_.insert(std::upper_bound(nearest_.begin(), nearest_.end(), entry), entry);
+  }
+  /// Whether a point so far away along x alone, and all beyond it, is too far.
+  [[nodiscard]] bool are_nearer_than(double along_x_m) const {
+    return nearest_.size() == count_ && along_x_m * along_x_m > nearest_.back().first;
+  }
+  /// In order of index; empty afterwards.
+  [[nodiscard]] NearList take() {
+    NearList list;
+    for (const auto& [squared, j] : nearest_) list.push_back(j);
+    std::sort(list.begin(), list.end());
+    nearest_.clear();
+    return list;
+  }
+
+ private:
+  static constexpr double kLeast_m2 = kShortestTriangleSide_m * kShortestTriangleSide_m;
+  std::size_t count_;
+  std::vector<std::pair<double, std::uint32_t>> nearest_;
+};
+
+/// Of each point, the nearest others, in order of index. A sweep along x: few points are looked at.
+std::vector<NearList> nearest_others(std::span<const Eigen::Vector2d> points, std::size_t count) {
+  std::vector<std::uint32_t> by_x(points.size());
+  std::iota(by_x.begin(), by_x.end(), 0U);
+  std::sort(by_x.begin(), by_x.end(), [&](std::uint32_t a, std::uint32_t b) {
+    return points[a].x() != points[b].x() ? points[a].x() < points[b].x() : a < b;
+  });
+  std::vector<NearList> near(points.size());
+  NearestOthers nearest(count);
+  for (std::size_t i = 0; i < by_x.size(); ++i) {
+    const Eigen::Vector2d place = points[by_x[i]];
+    const auto is_offered = [&](std::uint32_t j) {
+      const Eigen::Vector2d away = points[j] - place;
+      if (nearest.are_nearer_than(away.x())) return false;
+      nearest.offer(away.squaredNorm(), j);
+      return true;
+    };
+    std::size_t left = i;
+    std::size_t right = i + 1;
+    bool leftwards = true;
+    bool rightwards = true;
+    while (leftwards || rightwards) {
+      leftwards = leftwards && left > 0 && is_offered(by_x[--left]);
+      rightwards = rightwards && right < by_x.size() && is_offered(by_x[right++]);
+    }
+    near[by_x[i]] = nearest.take();
   }
   return near;
 }
@@ -67,9 +105,14 @@ LandmarkTriangle make_triangle(std::span<const Eigen::Vector2d> points,
   return triangle;
 }
 
+/// What lists of triangles are sorted by.
+std::pair<bool, double> turn_and_longest(const LandmarkTriangle& triangle) {
+  return {triangle.is_counter_clockwise, triangle.sides_m[0]};
+}
+
+/// Of triangles whose turn and longest side agree already.
 bool are_alike(const LandmarkTriangle& a, const LandmarkTriangle& b, double tolerance_m) {
-  return a.is_counter_clockwise == b.is_counter_clockwise &&
-         std::abs(a.sides_m[1] - b.sides_m[1]) <= tolerance_m &&
+  return std::abs(a.sides_m[1] - b.sides_m[1]) <= tolerance_m &&
          std::abs(a.sides_m[2] - b.sides_m[2]) <= tolerance_m;
 }
 
@@ -214,7 +257,8 @@ std::vector<LandmarkTriangle> landmark_triangles(std::span<const Eigen::Vector2d
     }
   }
   std::sort(triangles.begin(), triangles.end(), [](const auto& a, const auto& b) {
-    return std::tie(a.sides_m, a.corners) < std::tie(b.sides_m, b.corners);
+    return std::tie(a.is_counter_clockwise, a.sides_m, a.corners) <
+           std::tie(b.is_counter_clockwise, b.sides_m, b.corners);
   });
   return triangles;
 }
@@ -251,13 +295,13 @@ std::vector<TriangleVote> triangle_votes(std::span<const Eigen::Vector2d> target
   std::vector<TriangleVote> votes;
   std::size_t begin = 0;
   for (const LandmarkTriangle& s : of_source) {
-    while (begin < of_target.size() && of_target[begin].sides_m[0] < s.sides_m[0] - tolerance_m) {
-      ++begin;
-    }
+    const auto shortest = std::pair(s.is_counter_clockwise, s.sides_m[0] - tolerance_m);
+    const auto longest = std::pair(s.is_counter_clockwise, s.sides_m[0] + tolerance_m);
+    while (begin < of_target.size() && turn_and_longest(of_target[begin]) < shortest) ++begin;
     int alike = 0;
     for (std::size_t k = begin; k < of_target.size() && alike < kMostAlike; ++k) {
       const LandmarkTriangle& t = of_target[k];
-      if (t.sides_m[0] > s.sides_m[0] + tolerance_m) break;
+      if (turn_and_longest(t) > longest) break;
       if (!are_alike(s, t, tolerance_m)) continue;
       ++alike;
       votes.push_back(vote_of(target_m, t, source_m, s));

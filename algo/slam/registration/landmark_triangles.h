@@ -18,7 +18,8 @@ struct LandmarkTriangle {
   bool is_counter_clockwise = false;
 };
 
-/// Every triangle of a stem and two of its `neighbours` nearest, once; by rising longest side.
+/// Every triangle of a stem and two of its `neighbours` nearest, once; by the way they turn, then
+/// by rising longest side.
 [[nodiscard]] std::vector<LandmarkTriangle> landmark_triangles(
     std::span<const Eigen::Vector2d> points_m, std::int64_t neighbours);
 
@@ -29,8 +30,8 @@ struct TriangleVote {
 };
 
 /// The poses that lay a source triangle on a target triangle whose sides differ by
-/// at most `tolerance_m` and which turns the same way. Both lists by rising longest side. A source
-/// triangle that is like very many (a planted grid) votes for the first of them.
+/// at most `tolerance_m` and which turns the same way. Both lists as `landmark_triangles` sorts
+/// them. A source triangle that is like very many (a planted grid) votes for the first of them.
 [[nodiscard]] std::vector<TriangleVote> triangle_votes(std::span<const Eigen::Vector2d> target_m,
                                                        std::span<const LandmarkTriangle> of_target,
                                                        std::span<const Eigen::Vector2d> source_m,

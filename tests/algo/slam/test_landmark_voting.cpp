@@ -1,4 +1,5 @@
 // Landmark voting: any pose without a guess.
+#include <algorithm>
 #include <catch2/catch.hpp>
 
 #include "algo/slam/registration/landmark_triangles.h"
@@ -13,14 +14,21 @@ TEST_CASE("Four stems make four triangles, each once, sides from the longest") {
   const std::vector<Eigen::Vector2d> stems = {{0, 0}, {4, 0}, {0, 3}, {9, 9}};
   const auto triangles = landmark_triangles(stems, 3);
   REQUIRE(triangles.size() == 4);
-  const LandmarkTriangle& smallest = triangles.front();
+  const auto longest_side = [](const auto& a, const auto& b) {
+    return a.sides_m[0] < b.sides_m[0];
+  };
+  const LandmarkTriangle& smallest =
+      *std::min_element(triangles.begin(), triangles.end(), longest_side);
   CHECK(smallest.sides_m[0] == Approx(5.0));
   CHECK(smallest.sides_m[1] == Approx(4.0));
   CHECK(smallest.sides_m[2] == Approx(3.0));
   CHECK(smallest.corners == std::array<std::uint32_t, 3>{0, 2, 1});  // opposite to its sides
   CHECK_FALSE(smallest.is_counter_clockwise);
   for (std::size_t k = 1; k < triangles.size(); ++k) {
-    CHECK(triangles[k].sides_m[0] >= triangles[k - 1].sides_m[0]);
+    const bool same_turn =
+        triangles[k].is_counter_clockwise == triangles[k - 1].is_counter_clockwise;
+    if (same_turn) CHECK(triangles[k].sides_m[0] >= triangles[k - 1].sides_m[0]);
+    if (!same_turn) CHECK(triangles[k].is_counter_clockwise);
   }
 }
 
