@@ -65,6 +65,11 @@ void describe(SettingsVisitor& v, ProtocolSettings& s) {
   v.field(
       {"windows", "", "disjoint windows a stand at most; 0 for all that the drive holds", "choice"},
       s.windows, {0, 100000});
+  v.field({"windows_of", "",
+           "longest: all numbers of frames end where the longest windows do; each: "
+           "each number has disjoint windows of its own",
+           "choice"},
+          s.windows_of, {"longest", "each"});
   v.field(
       {"success_translation_m", "m", "a success lies within", "Li2020 3.2: largest error 0.5 m"},
       s.success_translation_m, {0.01, 100});
@@ -81,6 +86,8 @@ void describe(SettingsVisitor& v, VariantSettings& s) {
   v.field({"tolerances_m2", "m2", "also with these tolerances of a match", "the paper names none"},
           s.tolerances_m2, {0, 1000});
   v.field({"repaired", "", "also with height band and unbiased centres", "choice"}, s.repaired);
+  v.field({"methods", "", "matchers side by side on the same stems, with commas between", "choice"},
+          s.methods, {});
 }
 
 void describe(SettingsVisitor& v, SimulateSettings& s) {

@@ -52,6 +52,7 @@ struct ProtocolSettings {
   std::vector<std::int64_t> frames = {1, 3, 5, 10};
   double path_length_m = 200.0;
   std::int64_t windows = 0;
+  std::string windows_of = "longest";
   double success_translation_m = 0.5;
   double success_rotation_deg = 2.5;
   double stem_gate_m = 0.5;
@@ -63,6 +64,7 @@ struct VariantSettings {
   bool same_run = true;
   std::vector<double> tolerances_m2 = {3.5, 9.0};
   bool repaired = true;
+  std::string methods;
 };
 void describe(SettingsVisitor& v, VariantSettings& s);
 

@@ -13,6 +13,9 @@
 namespace honka::eval {
 namespace fs = std::filesystem;
 
+// Here, because g++ 12 warns of what it sees when it puts so many defaults into every caller.
+Scenario::Scenario() = default;
+
 void describe(SettingsVisitor& v, Scenario& s) {
   v.field({"experiment", "", "what is done; honka help experiments", "choice"}, s.experiment, {});
   v.field({"title", "", "of the report", "choice"}, s.title, {});
@@ -39,6 +42,8 @@ void describe(SettingsVisitor& v, Scenario& s) {
     describe(v, s.slam);
   });
   v.group("link", [&] { describe(v, s.link); });
+  v.group("sighting", [&] { describe(v, s.sighting); });
+  v.group("pairs", [&] { describe(v, s.pairs); });
 }
 
 namespace {
@@ -100,7 +105,10 @@ std::string hash_of(const Scenario& scenario) {
   std::string text;
   for (const KeyEntry& entry : list_keys(scenario)) {
     // What a scenario is called, and where its data lie, does not change its results.
-    if (entry.key == "title" || entry.key == "question" || entry.key == "forest.stem_map") continue;
+    if (entry.key == "title" || entry.key == "question" || entry.key == "forest.stem_map" ||
+        entry.key == "pairs.folder") {
+      continue;
+    }
     text += entry.key + "=" + format_value(entry.value) + "\n";
   }
   if (scenario.measured) {

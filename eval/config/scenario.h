@@ -15,6 +15,7 @@
 #include "eval/config/experiment_settings.h"
 #include "eval/config/key_table.h"
 #include "eval/config/link_study_settings.h"
+#include "eval/config/sighting_study_settings.h"
 #include "eval/config/slam_settings.h"
 #include "eval/config/stand_settings.h"
 #include "sim/forest/settings.h"
@@ -25,6 +26,8 @@ namespace honka::eval {
 
 /// One reproducible experiment: all that a scenario file says.
 struct Scenario {
+  Scenario();
+
   std::string experiment = "localization";
   std::string title;
   std::string question;
@@ -46,6 +49,8 @@ struct Scenario {
   SlamSettings slam;
   SlamStudySettings slam_study;
   LinkStudySettings link;
+  SightingStudySettings sighting;
+  StemPairSettings pairs;
 
   std::optional<StemMap> measured;  ///< what forest.stem_map holds
 };

@@ -111,7 +111,7 @@ std::string optional_cell(const std::optional<double>& value) {
 
 }  // namespace
 
-StemMap read_stem_csv(const Path& path) {
+StemMap read_stem_csv(const Path& path, StemList list) {
   const auto rows = split_rows(read_text_file(path), Separator::kComma);
   if (rows.empty()) {
     throw UserError(path.string() + ": empty; give a header x_m,y_m and a row for each stem");
@@ -128,7 +128,7 @@ StemMap read_stem_csv(const Path& path) {
     }
     stems.push_back(stem_in(path, rows[i], columns));
   }
-  if (stems.empty()) {
+  if (stems.empty() && list == StemList::kHasStems) {
     throw_at(path, header.front(), "a header and no stems; give a row for each stem");
   }
   return stems;

@@ -1,10 +1,14 @@
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 
 #include "algo/types/stem.h"
 
 namespace honka::eval {
+
+/// A map has stems; a sensor may see none, and its list then is a header alone.
+enum class StemList : std::uint8_t { kHasStems, kMayBeEmpty };
 
 /// Reads a list of stems: a header with x_m, y_m and any of z_m, dbh_m, height_m, observations, in
 /// any order; other columns are ignored; '#' begins a comment line; optional cells may be empty.
@@ -12,8 +16,9 @@ namespace honka::eval {
 ///
 /// UserError "file:line:column: …" for a missing file, header or column, a cell that is no finite
 /// number, a diameter or height that cannot be one, a row of another width, or a list without
-/// stems.
-[[nodiscard]] StemMap read_stem_csv(const std::filesystem::path& path);
+/// stems where one is asked for.
+[[nodiscard]] StemMap read_stem_csv(const std::filesystem::path& path,
+                                    StemList list = StemList::kHasStems);
 
 /// Writes a list that read_stem_csv reads back bit for bit; optional columns where any stem has
 /// them. Written safely; UserError when it cannot be.
