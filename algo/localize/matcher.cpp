@@ -8,6 +8,7 @@
 #include <cmath>
 
 #include "algo/localize/li2020/li2020.h"
+#include "algo/localize/li2020/submaps.h"
 #include "algo/types/user_error.h"
 
 namespace honka {
@@ -25,6 +26,9 @@ struct Entry {
 constexpr std::array kMatchers = {
     Entry{"li2020",
           [](const Stems& map, const LocalizeSettings& s) -> std::unique_ptr<Matcher> {
+            if (s.li2020.submap_size_m > 0.0) {
+              return std::make_unique<SubmapMatcher>(map, s.li2020);
+            }
             return std::make_unique<Li2020Matcher>(map, s.li2020);
           }},
 };

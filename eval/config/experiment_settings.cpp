@@ -43,9 +43,10 @@ sim::VehicleSettings MapSettings::prior_vehicle() {
 }
 
 void describe(SettingsVisitor& v, MapSettings& s) {
-  v.field({"source", "", "the run whose scans make the map",
-           "Li2020 2.2: the paper's is the same run; a fair trial needs a prior one"},
-          s.source, {"prior_run", "same_run"});
+  v.field({"source", "", "the run whose scans make the map, or a list of trees of another source",
+           "Li2020 2.2: the paper's is the same run; a fair trial needs a prior one; Li2020 4: "
+           "inventories and airborne scans"},
+          s.source, {"prior_run", "same_run", "inventory", "airborne"});
   v.field({"strip_road_spacing_m", "m", "between the strip roads that the prior run drives",
            "choice: 1,200 m through 200 x 300 m, the preprint's trail"},
           s.strip_road_spacing_m, {10, 500});
@@ -55,6 +56,7 @@ void describe(SettingsVisitor& v, MapSettings& s) {
           s.thinned_to_per_ha, {0, 20000});
   v.group("stems", [&] { describe(v, s.stems); });
   v.group("prior_run", [&] { describe(v, s.prior_run); });
+  describe(v, s.sources);
 }
 
 void describe(SettingsVisitor& v, ProtocolSettings& s) {

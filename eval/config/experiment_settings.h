@@ -8,6 +8,7 @@
 #include "algo/odometry/odometry.h"
 #include "algo/stems/extract.h"
 #include "algo/types/settings.h"
+#include "eval/config/map_source_settings.h"
 #include "sim/harvester/vehicle_settings.h"
 
 namespace honka::eval {
@@ -39,6 +40,7 @@ struct MapSettings {
   double thinned_to_per_ha = 0.0;
   StemSettings stems = map_stems();
   sim::VehicleSettings prior_run = prior_vehicle();
+  MapSourceSettings sources;
 
   /// Algorithm 1 for a cloud that gathers a whole run.
   [[nodiscard]] static StemSettings map_stems();

@@ -42,6 +42,8 @@ void describe(SettingsVisitor& v, Scenario& s) {
     describe(v, s.slam);
   });
   v.group("link", [&] { describe(v, s.link); });
+  v.group("tracking", [&] { describe(v, s.tracking); });
+  v.group("options", [&] { describe(v, s.options); });
   v.group("sighting", [&] { describe(v, s.sighting); });
   v.group("pairs", [&] { describe(v, s.pairs); });
 }

@@ -15,9 +15,11 @@
 #include "eval/config/experiment_settings.h"
 #include "eval/config/key_table.h"
 #include "eval/config/link_study_settings.h"
+#include "eval/config/options_study_settings.h"
 #include "eval/config/sighting_study_settings.h"
 #include "eval/config/slam_settings.h"
 #include "eval/config/stand_settings.h"
+#include "eval/config/tracking_study_settings.h"
 #include "sim/forest/settings.h"
 #include "sim/harvester/vehicle_settings.h"
 #include "sim/lidar/lidar_settings.h"
@@ -49,6 +51,8 @@ struct Scenario {
   SlamSettings slam;
   SlamStudySettings slam_study;
   LinkStudySettings link;
+  TrackingStudySettings tracking;
+  OptionsStudySettings options;
   SightingStudySettings sighting;
   StemPairSettings pairs;
 

@@ -1,7 +1,7 @@
 #pragma once
 
 #include <Eigen/Core>
-#include <functional>
+#include <optional>
 #include <vector>
 
 #include "algo/localize/li2020/pairing.h"
@@ -34,16 +34,27 @@ class Li2020Matcher final : public Matcher {
     StarMatch match;
     PoseCandidate pose;
   };
-  /// Whether a prior allows a pose, centred coordinates to centred coordinates.
-  using PlaceFilter = std::function<bool(const Pose2&)>;
+  /// A local list as it is matched: its graph, its stars, and where the prior lets it be.
+  struct LocalGraph {
+    DelaunayGraph graph;  ///< vertices relative to `centre_m`
+    Eigen::Vector2d centre_m = Eigen::Vector2d::Zero();
+    std::vector<std::int32_t> stem;  ///< of each vertex, index into the list that was given
+    std::vector<TriangleStar> stars;
+    std::optional<PlaceLimit> limit;  ///< centred coordinates to centred coordinates
+  };
+
+  [[nodiscard]] LocalGraph local_graph(const std::vector<Eigen::Vector2d>& stems_in_local_m,
+                                       const std::optional<LocatePrior>& prior) const;
+  /// The map stars that a local star within the limit could be: all without one.
+  [[nodiscard]] StarIndex::Keys active_stars(const LocalGraph& local) const;
 
   [[nodiscard]] Candidate make_candidate(const TriangleStar& local, const DelaunayGraph& graph,
                                          const TriangleStar& map, const StarLikeness& like) const;
-  [[nodiscard]] std::vector<Candidate> match_stars(const std::vector<TriangleStar>& local_stars,
-                                                   const DelaunayGraph& graph,
-                                                   const PlaceFilter& allows,
-                                                   int& candidates) const;
-  [[nodiscard]] Selection select(const std::vector<Candidate>& kept) const;
+  [[nodiscard]] std::vector<Candidate> match_stars(const LocalGraph& local, int& candidates) const;
+  [[nodiscard]] Selection select(const std::vector<Candidate>& kept,
+                                 const std::optional<PlaceLimit>& limit) const;
+  void answer(const LocalGraph& local, const std::vector<Candidate>& kept,
+              LocateResult& result) const;
 
   Li2020Settings settings_;
   Pairing pairing_ = Pairing::kSimilarEdge;

@@ -64,31 +64,27 @@ Pose2 reweighted_step(const std::vector<PoseCandidate>& candidates, const Pose2&
   return {map_mean - Eigen::Rotation2Dd(yaw) * local_mean, yaw};
 }
 
-/// The ranges of angle (relative to a reference) and translation that the candidates span.
-struct Box {
-  Box(const std::vector<PoseCandidate>& candidates, double reference) : reference_rad(reference) {
-    for (const PoseCandidate& c : candidates) {
-      const double turn = wrap_to_pi(c.T_map_local.yaw_rad - reference);
-      low_rad = std::min(low_rad, turn);
-      high_rad = std::max(high_rad, turn);
-      low_m = low_m.cwiseMin(c.T_map_local.translation_m);
-      high_m = high_m.cwiseMax(c.T_map_local.translation_m);
-    }
-  }
-
-  [[nodiscard]] Pose2 clamp(const Pose2& T) const {
-    const double turn = std::clamp(wrap_to_pi(T.yaw_rad - reference_rad), low_rad, high_rad);
-    return {T.translation_m.cwiseMax(low_m).cwiseMin(high_m), wrap_to_pi(reference_rad + turn)};
-  }
-
-  double reference_rad;
-  double low_rad = 0.0;
-  double high_rad = 0.0;
-  Eigen::Vector2d low_m = Eigen::Vector2d::Constant(INFINITY);
-  Eigen::Vector2d high_m = Eigen::Vector2d::Constant(-INFINITY);
-};
-
 }  // namespace
+
+CandidateBox::CandidateBox(const std::vector<PoseCandidate>& candidates, double reference)
+    : reference_rad(reference) {
+  for (const PoseCandidate& c : candidates) {
+    const double turn = wrap_to_pi(c.T_map_local.yaw_rad - reference);
+    low_rad = std::min(low_rad, turn);
+    high_rad = std::max(high_rad, turn);
+    low_m = low_m.cwiseMin(c.T_map_local.translation_m);
+    high_m = high_m.cwiseMax(c.T_map_local.translation_m);
+  }
+}
+
+Pose2 CandidateBox::clamp(const Pose2& T) const {
+  const double turn = std::clamp(wrap_to_pi(T.yaw_rad - reference_rad), low_rad, high_rad);
+  return {T.translation_m.cwiseMax(low_m).cwiseMin(high_m), wrap_to_pi(reference_rad + turn)};
+}
+
+double total_cost_m(const std::vector<PoseCandidate>& candidates, const Pose2& T_map_local) {
+  return cost_of(candidates, T_map_local);
+}
 
 double mean_residual_m(const PoseCandidate& candidate, const Pose2& T_map_local) {
   return cost_of({candidate}, T_map_local) / 6.0;
@@ -113,15 +109,16 @@ Selection select_candidate(const std::vector<PoseCandidate>& candidates) {
   return best;
 }
 
-Selection select_in_box(const std::vector<PoseCandidate>& candidates) {
+Selection select_in_box(const std::vector<PoseCandidate>& candidates,
+                        const std::optional<PlaceLimit>& limit) {
   constexpr int kMostSteps = 100;
   constexpr double kLeastGain_m = 1e-9;
   Selection best = select_candidate(candidates);
-  const Box box(candidates, best.T_map_local.yaw_rad);
+  const CandidateBox box(candidates, best.T_map_local.yaw_rad);
   for (int step = 0; step < kMostSteps; ++step) {
     const Pose2 pose = box.clamp(reweighted_step(candidates, best.T_map_local));
     const double cost = cost_of(candidates, pose);
-    if (!(cost < best.cost_m - kLeastGain_m)) break;
+    if (!(cost < best.cost_m - kLeastGain_m) || (limit && !limit->allows(pose))) break;
     best.T_map_local = pose;
     best.cost_m = cost;
   }

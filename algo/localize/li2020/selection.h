@@ -2,7 +2,10 @@
 
 #include <Eigen/Core>
 #include <array>
+#include <cmath>
 #include <cstddef>
+#include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "algo/types/pose.h"
@@ -23,18 +26,48 @@ struct Selection {
   double cost_m = 0.0;  ///< sum of |M V − V'| over all 6 m vertices
 };
 
+/// A point of the local frame (the sensor) that must lie within a circle of the map.
+struct PlaceLimit {
+  Eigen::Vector2d local_m = Eigen::Vector2d::Zero();
+  Eigen::Vector2d map_m = Eigen::Vector2d::Zero();
+  double radius_m = 0.0;
+
+  [[nodiscard]] bool allows(const Pose2& T_map_local) const {
+    return (T_map_local * local_m - map_m).norm() <= radius_m;
+  }
+};
+
 /// Mean of |M V − V'| over the six pairs of a candidate. Metres.
 [[nodiscard]] double mean_residual_m(const PoseCandidate& candidate, const Pose2& T_map_local);
 
 /// Largest of |M V − V'| over the six pairs of a candidate. Metres.
 [[nodiscard]] double largest_residual_m(const PoseCandidate& candidate, const Pose2& T_map_local);
 
+/// Li2020 Eq. (4) of a pose: sum of |M V − V'| over all 6 m vertices. Metres.
+[[nodiscard]] double total_cost_m(const std::vector<PoseCandidate>& candidates,
+                                  const Pose2& T_map_local);
+
+/// B and D of Li2020 Eq. (4): the ranges of angle (relative to a reference, as [min θ, max θ] has
+/// no meaning across ±180°) and of translation that the candidates span.
+struct CandidateBox {
+  CandidateBox(const std::vector<PoseCandidate>& candidates, double reference);
+  [[nodiscard]] Pose2 clamp(const Pose2& T_map_local) const;
+
+  double reference_rad;
+  double low_rad = 0.0;
+  double high_rad = 0.0;
+  Eigen::Vector2d low_m = Eigen::Vector2d::Constant(INFINITY);
+  Eigen::Vector2d high_m = Eigen::Vector2d::Constant(-INFINITY);
+};
+
 /// Li2020 Eq. (4) among the poses of the candidates themselves (at least one); the first of equals.
 [[nodiscard]] Selection select_candidate(const std::vector<PoseCandidate>& candidates);
 
 /// Li2020 Eq. (4) continuous in the box that the candidates' angles and translations span, by
 /// reweighted least squares from the best candidate. Angles are taken relative to that candidate's,
-/// as the printed box [min θ, max θ] has no meaning across ±180°.
-[[nodiscard]] Selection select_in_box(const std::vector<PoseCandidate>& candidates);
+/// as the printed box [min θ, max θ] has no meaning across ±180°. With a limit the descent ends
+/// where it would leave it.
+[[nodiscard]] Selection select_in_box(const std::vector<PoseCandidate>& candidates,
+                                      const std::optional<PlaceLimit>& limit = std::nullopt);
 
 }  // namespace honka

@@ -15,15 +15,25 @@ void describe(SettingsVisitor& v, Li2020Settings& s) {
   v.field({"vertex_gate_m", "m", "drop matches with a vertex residual above this; 0 is off",
            "variant of Li2020 §2.8.2; 0.3 helps"},
           s.vertex_gate_m, Range{0.0, 100.0});
-  v.field({"selection", "", "Eq. (4) over the matches' own poses, or continuous in their box",
-           "Li2020 Eq. (4)"},
-          s.selection, {"candidates", "box"});
+  v.field({"selection", "",
+           "Eq. (4) over the matches' own poses, or continuous in their box: nearby, or globally",
+           "Li2020 Eq. (4); branch and bound: Li2020 4, future work"},
+          s.selection, {"candidates", "box", "branch_and_bound"});
   v.field({"agreement_m", "m", "mean residual of a match's vertex pairs below which it agrees",
            "choice: Li2020 does not define success"},
           s.agreement_m, Range{0.0, 100.0});
   v.field({"min_agreeing", "", "agreeing matches that make a pose accepted",
            "choice: reproduces Li2020 Table 1 from its mean counts"},
           s.min_agreeing, Range{1.0, 1e6});
+  v.field({"local_radius_m", "m", "only local stems this near are triangulated; 0 is all",
+           "Li2020 4, future work"},
+          s.local_radius_m, Range{0.0, 1e4});
+  v.field({"submap_size_m", "m", "side of a tile of the map, each with its own graph; 0 is one map",
+           "variant: overlapping sub-maps for large forests"},
+          s.submap_size_m, Range{0.0, 1e6});
+  v.field({"submap_overlap_m", "m", "that neighbouring tiles share",
+           "choice: twice the reach of the sensor"},
+          s.submap_overlap_m, Range{0.0, 1e6});
 }
 
 }  // namespace honka

@@ -15,16 +15,24 @@ StarIndex::StarIndex(std::vector<TriangleStar> stars) : stars_(std::move(stars))
   });
 }
 
-void StarIndex::find(const TriangleStar& local, double tolerance_m2,
+StarIndex::Keys StarIndex::active(const std::function<bool(std::size_t)>& is_active) const {
+  Keys chosen;
+  for (const Key& key : keys_) {
+    if (is_active(key.star)) chosen.push_back(key);
+  }
+  return chosen;
+}
+
+void StarIndex::find(const Keys& keys, const TriangleStar& local, double tolerance_m2,
                      std::vector<std::size_t>& found) const {
   // A hair wider than the tolerance: l ± tolerance is rounded, the comparison below decides.
   const double l = local.perimeter_squared_m2[0];
   const double reach = tolerance_m2 + 1e-12 * (l + tolerance_m2);
   const auto first = std::lower_bound(
-      keys_.begin(), keys_.end(), l - reach,
+      keys.begin(), keys.end(), l - reach,
       [](const Key& key, double value) { return key.perimeter_squared_m2 < value; });
   const auto begin = static_cast<std::ptrdiff_t>(found.size());
-  for (auto key = first; key != keys_.end() && key->perimeter_squared_m2 <= l + reach; ++key) {
+  for (auto key = first; key != keys.end() && key->perimeter_squared_m2 <= l + reach; ++key) {
     if (centre_dissimilarity_m2(local, stars_[key->star]) <= tolerance_m2) {
       found.push_back(key->star);
     }
