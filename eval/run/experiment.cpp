@@ -5,6 +5,8 @@
 
 #include "algo/types/user_error.h"
 #include "eval/run/localization_experiment.h"
+#include "eval/run/localize/sighting_experiment.h"
+#include "eval/run/localize/stem_pairs_experiment.h"
 #include "eval/run/odometry_experiment.h"
 #include "eval/run/slam/calls_experiment.h"
 #include "eval/run/slam/convergence_experiment.h"
@@ -23,6 +25,10 @@ const std::vector<Experiment>& experiments() {
   static const std::vector<Experiment> kExperiments = {
       {"localization", "Li et al. 2020, Table 1: windows of key frames found in a trunk map",
        run_localization_experiment},
+      {"sighting", "Stem lists without rays, found in maps of any size by every matcher",
+       run_sighting_experiment},
+      {"stem_pairs", "Real field maps against one terrestrial scan, and every wrong combination",
+       run_stem_pairs_experiment},
       {"odometry", "Drift, speed and failures of the lidar odometries, stand by stand",
        run_odometry_experiment},
       {"link", "Edge and cloud apart: map quality by bandwidth, loss and delay",

@@ -1,5 +1,7 @@
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "eval/report/figure_map_cloud.h"
 #include "eval/report/figure_matched_stars.h"
 #include "eval/report/figure_segmentation.h"
@@ -93,7 +95,7 @@ std::vector<ReportFigure> matching(const std::filesystem::path& folder, const Lo
     local.push_back(stem.position_m);
   }
   const LocateResult result = variant.matcher->locate(local);
-  if (!result.accepted()) return {};
+  if (!result.accepted() || result.chosen < 0) return {};
   const auto map = variant.map->positions_m();
   MatchedStarsFigure stars;
   stars.local_edges = edges_of(build_delaunay(local));
@@ -121,11 +123,17 @@ struct Exhibited {
 };
 
 Exhibited choose(const TrialExhibit& exhibit, const Scenario& scenario) {
-  Exhibited chosen{exhibit.windows[exhibit.windows.size() / 2], 1};
+  std::int64_t most = scenario.protocol.frames.front();
   for (const std::int64_t frames : scenario.protocol.frames) {
-    if (frames <= 5) chosen.frames = std::max(chosen.frames, frames);
+    if (frames <= 5) most = std::max(most, frames);
   }
-  return chosen;
+  std::vector<Window> holding;
+  for (const Window& window : exhibit.windows) {
+    const auto& frames = window.frames;
+    if (std::find(frames.begin(), frames.end(), most) != frames.end()) holding.push_back(window);
+  }
+  if (holding.empty()) return {exhibit.windows.front(), exhibit.windows.front().frames.front()};
+  return {holding[holding.size() / 2], most};
 }
 
 }  // namespace

@@ -11,6 +11,8 @@
 #include "eval/run/localization_figures.h"
 #include "eval/run/localization_tables.h"
 #include "eval/run/localization_trial.h"
+#include "eval/run/localize/localize_results.h"
+#include "eval/run/localize/matcher_comparison.h"
 #include "eval/run/scenario_json.h"
 #include "eval/run/trial_row.h"
 
@@ -86,6 +88,9 @@ ReportModel make_report(const RunRequest& request, const Results& results,
     report.tables.push_back(paper_table(
         summaries, "same_run", "Table 1 with the paper's protocol: map of the same run", scenario));
   }
+  if (!scenario.variants.methods.empty()) {
+    report.tables.insert(report.tables.begin(), matcher_comparison_table(summaries, scenario));
+  }
   report.tables.push_back(world_table(results.trials));
   report.tables.push_back(odometry_table(results.trials));
   report.tables.push_back(variants_table(summaries));
@@ -132,6 +137,9 @@ RunOutcome run_localization_experiment(const RunRequest& request) {
   summary.scenario = resolved_keys(scenario);
   summary.scenario_hash = request.resolved.hash;
   summary.tables["table1"] = localization_json(summaries, scenario);
+  if (!scenario.variants.methods.empty()) {
+    summary.tables[table_name_of(request.resolved)] = matcher_comparison_json(summaries, scenario);
+  }
   for (const LocalizationSummary& s : summaries) {
     summary.metrics[fmt::format("success_{}_c{}", s.variant, s.frames)] = rate_metric(s);
   }

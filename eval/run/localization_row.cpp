@@ -41,6 +41,9 @@ Table localization_table() {
       integers("frames", "key frames in the window"),
       words("variant", "way of localizing"),
       words("map", "run whose scans made the map"),
+      words("method", "matcher"),
+      integers("repaired", "1: height band and unbiased centres, for list and map"),
+      integers("stems_in_map", "stems in the map"),
       numbers("tolerance_m2", "m2", "tolerance of a match"),
       integers("stems", "stems found in the window's cloud"),
       integers("local_stars", "interior triangle stars of the local graph"),
@@ -62,6 +65,8 @@ Table localization_table() {
       numbers("rotation_to_odometry_rad", "rad", "angle to the odometry track; NaN when refused"),
       numbers("stem_rmse_m", "m", "position error of found stems that are trees"),
       numbers("bound_m", "m", "Cramér-Rao bound of the position; NaN where there is none"),
+      numbers("error_in_map_m", "m", "distance to the true place in the map as it lies there"),
+      numbers("bound_in_map_m", "m", "Cramér-Rao bound with the map as it lies there"),
       times("aggregate_ms", "gathering the window's points"),
       times("extract_ms", "Algorithm 1"),
       times("match_ms", "triangulation and matching"),
@@ -82,18 +87,21 @@ void append(Table& table, const LocalizationRow& row) {
   const Eigen::Vector2d& answer = row.T_map_local.translation_m;
   const Eigen::Vector2d& truth = row.T_world_local.translation_m;
   const auto& d = row.detection;
-  table.add_row(row.trial, row.window, row.frames, row.variant, row.map, row.tolerance_m2,
-                row.stems, row.local_stars, row.surviving_stars, row.matches, row.agreeing,
-                row.verdict, row.accepted, row.success, if_accepted(answer.x()),
-                if_accepted(answer.y()), if_accepted(row.T_map_local.yaw_rad), truth.x(), truth.y(),
+  table.add_row(row.trial, row.window, row.frames, row.variant, row.map, row.method, row.repaired,
+                row.stems_in_map, row.tolerance_m2, row.stems, row.local_stars, row.surviving_stars,
+                row.matches, row.agreeing, row.verdict, row.accepted, row.success,
+                if_accepted(answer.x()), if_accepted(answer.y()),
+                if_accepted(row.T_map_local.yaw_rad), truth.x(), truth.y(),
                 row.T_world_local.yaw_rad, if_accepted(row.translation_error_m),
                 if_accepted(row.rotation_error_rad), if_accepted(row.error_to_odometry_m),
                 if_accepted(row.rotation_to_odometry_rad), row.stem_rmse_m.value_or(kMissing),
-                row.bound_m.value_or(kMissing), row.aggregate_ms, row.extract_ms, row.match_ms,
-                d[0].found, d[0].found_matched, d[0].truth, d[0].truth_matched, d[1].found,
-                d[1].found_matched, d[1].truth, d[1].truth_matched, d[2].found, d[2].found_matched,
-                d[2].truth, d[2].truth_matched, d[3].found, d[3].found_matched, d[3].truth,
-                d[3].truth_matched);
+                row.bound_m.value_or(kMissing),
+                row.accepted ? row.error_in_map_m.value_or(kMissing) : kMissing,
+                row.bound_in_map_m.value_or(kMissing), row.aggregate_ms, row.extract_ms,
+                row.match_ms, d[0].found, d[0].found_matched, d[0].truth, d[0].truth_matched,
+                d[1].found, d[1].found_matched, d[1].truth, d[1].truth_matched, d[2].found,
+                d[2].found_matched, d[2].truth, d[2].truth_matched, d[3].found, d[3].found_matched,
+                d[3].truth, d[3].truth_matched);
 }
 
 }  // namespace honka::eval

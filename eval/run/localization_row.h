@@ -15,7 +15,9 @@ namespace honka::eval {
 /// One localization: a window, seen through so many key frames, by one variant.
 struct LocalizationRow {
   std::int64_t trial = 0, window = 0, frames = 0;
-  std::string variant, map;
+  std::string variant, map, method;
+  bool repaired = false;  ///< the chain that found the stems of list and map
+  std::int64_t stems_in_map = 0;
   double tolerance_m2 = 0.0;
 
   int stems = 0, local_stars = 0, surviving_stars = 0, matches = 0, agreeing = 0;
@@ -31,6 +33,7 @@ struct LocalizationRow {
   std::array<DetectionScore, kStemRanges_m.size() - 1> detection;  ///< by range
   std::optional<double> stem_rmse_m;  ///< position error of found stems that are trees
   std::optional<double> bound_m;      ///< Cramér–Rao bound of the position
+  std::optional<double> error_in_map_m, bound_in_map_m;  ///< to the map as it lies there
 
   double aggregate_ms = 0.0, extract_ms = 0.0, match_ms = 0.0;
   [[nodiscard]] double online_ms() const { return aggregate_ms + extract_ms + match_ms; }

@@ -59,9 +59,11 @@ ReportFigure success(const std::filesystem::path& folder,
   SuccessFigure figure;
   figure.protocol = n_windows(summaries) + "; Wilson intervals, 95 %";
   for (const LocalizationSummary& s : summaries) {
+    const bool other = s.method != summaries.front().method;
     const bool shown = s.variant == "default" || s.variant == "same_run" || s.variant == "repaired";
-    if (!shown) continue;
-    const std::string label = s.variant == "default" ? "map of the " + spoken(s.map)
+    if (!shown && !other) continue;
+    const std::string label = other ? s.method + (s.repaired ? ", repaired chain" : "")
+                              : s.variant == "default" ? "map of the " + spoken(s.map)
                               : s.variant == "same_run"
                                   ? "map of the same run"
                                   : "repaired chain, map of the " + spoken(s.map);

@@ -76,15 +76,26 @@ std::optional<Interval> over_stands(const Table& table, const std::vector<std::s
   return bootstrap_ratio(blocks);
 }
 
-std::optional<double> over_bound(const Table& table, const std::vector<std::size_t>& successes) {
+/// RMS of errors and of bounds over the same successes.
+struct ErrorAndBound {
+  std::optional<double> error, bound;
+};
+
+ErrorAndBound error_and_bound(const Table& table, const std::vector<std::size_t>& successes,
+                              const char* error_column, const char* bound_column) {
   std::vector<double> errors, bounds;
   for (const std::size_t row : successes) {
-    if (std::isnan(table.doubles("bound_m")[row])) continue;
-    errors.push_back(table.doubles("translation_error_m")[row]);
-    bounds.push_back(table.doubles("bound_m")[row]);
+    const double error = table.doubles(error_column)[row];
+    const double bound = table.doubles(bound_column)[row];
+    if (std::isnan(error) || std::isnan(bound)) continue;
+    errors.push_back(error);
+    bounds.push_back(bound);
   }
-  const auto error = rmse(errors);
-  const auto bound = rmse(bounds);
+  return {rmse(errors), rmse(bounds)};
+}
+
+std::optional<double> over_bound(const Table& table, const std::vector<std::size_t>& successes) {
+  const auto [error, bound] = error_and_bound(table, successes, "translation_error_m", "bound_m");
   if (!error || !bound || *bound <= 0.0) return std::nullopt;
   return *error / *bound;
 }
@@ -114,6 +125,11 @@ LocalizationSummary summarize_group(const Table& table, const Group& group, doub
   const std::size_t first = group.rows.front();
   summary.variant = group.variant;
   summary.map = table.strings("map")[first];
+  summary.method = table.strings("method")[first];
+  summary.repaired = table.ints("repaired")[first] != 0;
+  for (const std::size_t row : group.rows) {
+    summary.stems_in_map = std::max(summary.stems_in_map, table.ints("stems_in_map")[row]);
+  }
   summary.tolerance_m2 = table.doubles("tolerance_m2")[first];
   summary.frames = group.frames;
   summary.windows = static_cast<std::int64_t>(group.rows.size());
@@ -133,6 +149,9 @@ LocalizationSummary summarize_group(const Table& table, const Group& group, doub
   summary.rotation_deg = statistics_of(rotation_deg);
   summary.to_odometry_m = statistics_of(pick(table.doubles("error_to_odometry_m"), successes));
   summary.error_over_bound = over_bound(table, successes);
+  const auto in_map = error_and_bound(table, successes, "error_in_map_m", "bound_in_map_m");
+  summary.in_map_rms_m = in_map.error;
+  summary.in_map_bound_m = in_map.bound;
   summarize_times(table, group, key_frame_m, summary);
   return summary;
 }

@@ -18,7 +18,9 @@ struct ErrorStatistics {
 
 /// All windows of one variant seen through so many frames.
 struct LocalizationSummary {
-  std::string variant, map;
+  std::string variant, map, method;
+  bool repaired = false;
+  std::int64_t stems_in_map = 0;  ///< the greatest over trials
   double tolerance_m2 = 0.0;
   std::int64_t frames = 0;
   std::int64_t windows = 0, accepted = 0, successes = 0;
@@ -27,8 +29,9 @@ struct LocalizationSummary {
   Interval success_interval;                  ///< Wilson, 95 %, over disjoint windows
   std::optional<Interval> stands_interval;    ///< bootstrap over stands, 95 %
   ErrorStatistics translation_m, rotation_deg, to_odometry_m;  ///< of the successes
-  std::optional<double> error_over_bound;           ///< RMS error of successes over the RMS bound
-  double online_p50_ms = 0.0, online_p95_ms = 0.0;  ///< gathering, Algorithm 1, matching
+  std::optional<double> error_over_bound;  ///< RMS error of successes over the RMS bound
+  std::optional<double> in_map_rms_m, in_map_bound_m;  ///< to the map as it lies there
+  double online_p50_ms = 0.0, online_p95_ms = 0.0;     ///< gathering, Algorithm 1, matching
   double match_p50_ms = 0.0, match_p95_ms = 0.0;
   double aggregate_p50_ms = 0.0, extract_p50_ms = 0.0;
   double keeps_up_m_s = 0.0;  ///< speed at which a key frame comes every online_p95
@@ -36,6 +39,10 @@ struct LocalizationSummary {
   [[nodiscard]] double success_rate() const { return share(successes); }
   [[nodiscard]] double accepted_rate() const { return share(accepted); }
   [[nodiscard]] double wrong_rate() const { return share(accepted - successes); }
+  [[nodiscard]] std::optional<double> in_map_over_bound() const {
+    if (!in_map_rms_m || !in_map_bound_m || *in_map_bound_m <= 0.0) return std::nullopt;
+    return *in_map_rms_m / *in_map_bound_m;
+  }
 
  private:
   [[nodiscard]] double share(std::int64_t count) const {

@@ -67,10 +67,15 @@ std::vector<ReportCell> paper_cells(const LocalizationSummary& s) {
 std::vector<std::string> localization_protocol(const Scenario& scenario) {
   const ProtocolSettings& p = scenario.protocol;
   return {
-      fmt::format("Windows are disjoint runs of consecutive key frames ({} m or {}° apart by the "
-                  "odometry, {} sweep(s) each); a row of n frames takes the last n of each window, "
-                  "so that all rows answer for the same places.",
-                  scenario.frame.distance_m, scenario.frame.angle_deg, scenario.frame.sweeps),
+      fmt::format(
+          "Windows are disjoint runs of consecutive key frames ({} m or {}° apart by the "
+          "odometry, {} sweep(s) each); {}.",
+          scenario.frame.distance_m, scenario.frame.angle_deg, scenario.frame.sweeps,
+          p.windows_of == "each"
+              ? "each number of frames has disjoint windows of its own, evenly over the "
+                "drive, so that rows of different numbers answer for different places"
+              : "a row of n frames takes the last n of each window, so that all rows answer "
+                "for the same places"),
       fmt::format("Success: the method accepts (at least {} matching triangles agree on the pose) "
                   "and the pose lies within {} m and {}° of the truth. Accepted but outside these "
                   "limits is wrong; refused and wrong windows stay in every rate.",

@@ -6,6 +6,7 @@
 
 #include "algo/types/check.h"
 #include "algo/types/user_error.h"
+#include "eval/run/localize/timed_matcher.h"
 
 namespace honka::eval {
 namespace {
@@ -21,16 +22,31 @@ const TrunkMap& find_map(const std::vector<TrunkMap>& maps, const std::string& s
 }
 
 Variant make_variant(std::string name, const Scenario& scenario, const TrunkMap& map,
-                     double tolerance_m2, StemSettings stems) {
+                     double tolerance_m2, StemSettings stems, const std::string& method = "") {
   LocalizeSettings settings = scenario.localize;
   settings.li2020.tolerance_m2 = tolerance_m2;
-  Variant variant{std::move(name), &map, tolerance_m2, std::move(stems), nullptr};
+  if (!method.empty()) settings.method = method;
+  Variant variant{std::move(name), settings.method, &map, tolerance_m2, std::move(stems), nullptr};
   try {
     variant.matcher = create_matcher(settings.method, map.positions_m(), settings);
   } catch (const UserError&) {
     // A map that cannot be matched in is a result of the trial: its rows say so.
   }
   return variant;
+}
+
+/// The other matchers on the stems of the default and of the repaired chain.
+void add_other_methods(const Scenario& scenario, std::vector<Variant>& variants) {
+  const std::size_t count = variants.size();
+  for (const std::string& method : methods_of(scenario.variants.methods, scenario.localize)) {
+    if (method == scenario.localize.method) continue;
+    for (std::size_t i = 0; i < count; ++i) {
+      if (variants[i].name != "default" && variants[i].name != "repaired") continue;
+      const std::string suffix = variants[i].map->repaired ? "_repaired" : "";
+      variants.push_back(make_variant(method + suffix, scenario, *variants[i].map,
+                                      variants[i].tolerance_m2, variants[i].stems, method));
+    }
+  }
 }
 
 }  // namespace
@@ -78,6 +94,7 @@ std::vector<Variant> make_variants(const Scenario& scenario, const std::vector<T
     variants.push_back(make_variant("repaired", scenario, find_map(maps, scenario.map.source, true),
                                     tolerance_m2, repaired(scenario.stems, "bias_corrected")));
   }
+  add_other_methods(scenario, variants);
   return variants;
 }
 

@@ -34,7 +34,8 @@ struct TrunkMap {
 
 /// One way of localizing: which map, which tolerance, which form of Algorithm 1.
 struct Variant {
-  std::string name;  ///< "default", "same_run", "tolerance_3.5", "repaired"
+  std::string name;  ///< "default", "same_run", "tolerance_3.5", "repaired", "consensus"
+  std::string method;
   const TrunkMap* map = nullptr;
   double tolerance_m2 = 0.0;
   StemSettings stems;                ///< for the local cloud

@@ -9,6 +9,7 @@
 #include "eval/metrics/localization.h"
 #include "eval/metrics/statistics.h"
 #include "eval/metrics/stem_scores.h"
+#include "eval/run/localize/map_bend.h"
 #include "eval/run/star_survival.h"
 #include "eval/run/stem_judgement.h"
 
@@ -77,6 +78,18 @@ void judge_pose(LocalizationRow& row, const Pose2& T_odom_local, const ProtocolS
           .success();
 }
 
+/// Against the map as it lies there: what the mapping run bent is not the matcher's error.
+void judge_in_map(LocalizationRow& row, const LocalStems& local, const TrunkMap& map,
+                  const StemMap& stems_in_world, double gate_m) {
+  const auto T_map_world = map_bend(map, stems_in_world, row.T_world_local.translation_m, gate_m);
+  row.error_in_map_m.reset();
+  row.bound_in_map_m.reset();
+  if (!T_map_world) return;
+  const Pose2 T_map_local = *T_map_world * row.T_world_local;
+  row.error_in_map_m = pose_error(row.T_map_local, T_map_local).translation_m;
+  row.bound_in_map_m = bound_m(local, map, T_map_local, gate_m);
+}
+
 void localize(LocalizationRow& row, const Variant& variant, const LocalStems& local) {
   const auto start = Clock::now();
   const LocateResult result =
@@ -84,6 +97,9 @@ void localize(LocalizationRow& row, const Variant& variant, const LocalStems& lo
   row.match_ms = milliseconds_since(start);
   row.extract_ms = local.extract_ms;
   row.variant = variant.name;
+  row.method = variant.method;
+  row.repaired = variant.map->repaired;
+  row.stems_in_map = static_cast<std::int64_t>(variant.map->stems.size());
   row.map = variant.map->source;
   row.tolerance_m2 = variant.tolerance_m2;
   row.stems = static_cast<int>(local.stems.size());
@@ -94,20 +110,32 @@ void localize(LocalizationRow& row, const Variant& variant, const LocalStems& lo
   row.T_map_local = result.T_map_local;
 }
 
-}  // namespace
-
-std::vector<Window> disjoint_windows(std::size_t key_frames, const ProtocolSettings& protocol) {
-  HONKA_CHECK(!protocol.frames.empty(), "a protocol needs at least one number of frames");
-  const auto width =
-      static_cast<std::size_t>(*std::max_element(protocol.frames.begin(), protocol.frames.end()));
+/// Disjoint windows of so many key frames.
+void add_windows(std::vector<Window>& windows, std::size_t key_frames,
+                 const ProtocolSettings& protocol, std::int64_t length,
+                 const std::vector<std::int64_t>& rows) {
+  const auto width = static_cast<std::size_t>(length);
   const std::size_t available = key_frames / width;
   const std::size_t wanted = protocol.windows == 0
                                  ? available
                                  : std::min(available, static_cast<std::size_t>(protocol.windows));
-  std::vector<Window> windows;
   for (std::size_t i = 0; i < wanted; ++i) {
     const std::size_t place = i * available / wanted;
-    windows.push_back({static_cast<std::int64_t>(i), place * width + width - 1});
+    const auto number = static_cast<std::int64_t>(windows.size());
+    windows.push_back({number, place * width + width - 1, rows});
+  }
+}
+
+}  // namespace
+
+std::vector<Window> disjoint_windows(std::size_t key_frames, const ProtocolSettings& protocol) {
+  HONKA_CHECK(!protocol.frames.empty(), "a protocol needs at least one number of frames");
+  std::vector<Window> windows;
+  if (protocol.windows_of == "each") {
+    for (const std::int64_t n : protocol.frames) add_windows(windows, key_frames, protocol, n, {n});
+  } else {
+    const auto longest = *std::max_element(protocol.frames.begin(), protocol.frames.end());
+    add_windows(windows, key_frames, protocol, longest, protocol.frames);
   }
   return windows;
 }
@@ -136,7 +164,7 @@ std::vector<LocalizationRow> localize_window(const Window& window, const Scanned
   const Pose2 T_odom_local = planar(run.drive->T_world_odom * levelled(reference.T_odom_lidar));
 
   std::vector<LocalizationRow> rows;
-  for (const std::int64_t frames : scenario.protocol.frames) {
+  for (const std::int64_t frames : window.frames) {
     row.frames = frames;
     const auto start = Clock::now();
     const LocalCloud cloud = window_cloud(run, window, frames, scenario.frame);
@@ -157,6 +185,7 @@ std::vector<LocalizationRow> localize_window(const Window& window, const Scanned
       judge_stems(row, *local);
       row.bound_m = bound_m(*local, *variant.map, row.T_world_local, gate_m);
       judge_pose(row, T_odom_local, scenario.protocol);
+      judge_in_map(row, *local, *variant.map, *truth.stems_in_world, gate_m);
       rows.push_back(row);
     }
   }

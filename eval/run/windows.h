@@ -22,10 +22,12 @@ struct ScannedRun {
 struct Window {
   std::int64_t number = 0;
   std::size_t last_key_frame = 0;
+  std::vector<std::int64_t> frames;  ///< the rows that it gets
 };
 
 /// Windows of max(frames) key frames that share none, in the order of the drive; when there are
-/// more than `protocol.windows` (and that is not 0), evenly chosen ones.
+/// more than `protocol.windows` (and that is not 0), evenly chosen ones. With `protocol.windows_of`
+/// "each" that is done for each number of frames apart; windows of different numbers then overlap.
 [[nodiscard]] std::vector<Window> disjoint_windows(std::size_t key_frames,
                                                    const ProtocolSettings& protocol);
 

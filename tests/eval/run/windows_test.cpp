@@ -62,6 +62,23 @@ TEST_CASE("windows as counted by hand") {
   CHECK(last_frames(4, protocol({1}, 0)) == Frames{0, 1, 2, 3});
 }
 
+TEST_CASE("with windows of each, every number of frames has disjoint windows of its own") {
+  ProtocolSettings settings = protocol({1, 3}, 4);
+  settings.windows_of = "each";
+  const auto windows = disjoint_windows(10, settings);
+  REQUIRE(windows.size() == 7);
+  const std::vector<std::size_t> last = {0, 2, 5, 7, 2, 5, 8};
+  for (std::size_t i = 0; i < windows.size(); ++i) {
+    CHECK(windows[i].number == static_cast<std::int64_t>(i));
+    CHECK(windows[i].last_key_frame == last[i]);
+    CHECK(windows[i].frames == std::vector<std::int64_t>{i < 4 ? 1 : 3});
+  }
+  settings.windows_of = "longest";
+  for (const Window& window : disjoint_windows(10, settings)) {
+    CHECK(window.frames == std::vector<std::int64_t>{1, 3});
+  }
+}
+
 TEST_CASE("windows share no key frame, lie inside the drive and are as many as asked") {
   for (std::size_t key_frames = 0; key_frames < 60; ++key_frames) {
     for (const std::int64_t width : {1, 3, 7}) {
@@ -84,7 +101,7 @@ TEST_CASE("clouds of all numbers of frames stand in the levelled frame of the la
   const StraightRun run(8);
   KeyFrameSettings settings;
   settings.min_range_m = 1.0;
-  const Window window{0, 6};
+  const Window window{0, 6, {1, 3, 5}};
   for (const std::int64_t frames : {1, 3, 5}) {
     const LocalCloud cloud = window_cloud(run.scanned, window, frames, settings);
     REQUIRE(cloud.points_m.size() == static_cast<std::size_t>(frames));
