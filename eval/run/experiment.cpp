@@ -5,8 +5,10 @@
 
 #include "algo/types/user_error.h"
 #include "eval/run/localization_experiment.h"
+#include "eval/run/localize/options_experiment.h"
 #include "eval/run/localize/sighting_experiment.h"
 #include "eval/run/localize/stem_pairs_experiment.h"
+#include "eval/run/localize/tracking_experiment.h"
 #include "eval/run/odometry_experiment.h"
 #include "eval/run/slam/calls_experiment.h"
 #include "eval/run/slam/convergence_experiment.h"
@@ -29,6 +31,10 @@ const std::vector<Experiment>& experiments() {
        run_sighting_experiment},
       {"stem_pairs", "Real field maps against one terrestrial scan, and every wrong combination",
        run_stem_pairs_experiment},
+      {"tracking", "A pose at every scan: odometry and localizations, kidnapping, loss",
+       run_tracking_experiment},
+      {"options", "The future work of Li et al. 2020 as options beside the literal matcher",
+       run_options_experiment},
       {"odometry", "Drift, speed and failures of the lidar odometries, stand by stand",
        run_odometry_experiment},
       {"link", "Edge and cloud apart: map quality by bandwidth, loss and delay",

@@ -1,0 +1,24 @@
+#include "eval/run/localize/source_map.h"
+
+#include <fmt/format.h>
+
+#include "algo/types/user_error.h"
+#include "sim/forest/inventory.h"
+
+namespace honka::eval {
+
+bool lists_trees(std::string_view map_source) {
+  return map_source == "inventory" || map_source == "airborne";
+}
+
+StemMap source_map(const sim::Stand& stand, const Scenario& scenario, std::uint64_t seed) {
+  const MapSettings& map = scenario.map;
+  if (map.source == "inventory") return sim::inventory_map(stand, map.sources.inventory, seed);
+  if (map.source == "airborne") return sim::airborne_map(stand, map.sources.airborne, seed);
+  throw UserError(
+      fmt::format("map.source = \"{}\" is a run; this experiment takes inventory or "
+                  "airborne",
+                  map.source));
+}
+
+}  // namespace honka::eval

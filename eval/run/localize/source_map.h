@@ -1,0 +1,20 @@
+#pragma once
+
+#include <cstdint>
+#include <string_view>
+
+#include "algo/types/stem.h"
+#include "eval/config/scenario.h"
+#include "sim/forest/stand.h"
+
+namespace honka::eval {
+
+/// Whether a map source lists the trees of a stand, in place of what a run saw.
+[[nodiscard]] bool lists_trees(std::string_view map_source);
+
+/// The stem map of map.source = inventory | airborne of a stand, in the world frame. The digits
+/// depend on (tree, seed). UserError at a source that is a run.
+[[nodiscard]] StemMap source_map(const sim::Stand& stand, const Scenario& scenario,
+                                 std::uint64_t seed);
+
+}  // namespace honka::eval
