@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "eval/run/localize/source_map.h"
 #include "eval/run/progress.h"
 #include "eval/run/trial_row.h"
 
@@ -43,8 +44,9 @@ struct MapOrder {
 };
 
 /// Every trunk map that a variant asks for, the default's first.
-std::vector<TrunkMap> make_maps(const Scenario& scenario, const MappedRun& prior_run,
-                                const MappedRun& work_run, std::int64_t trial, int threads) {
+std::vector<TrunkMap> make_maps(const Scenario& scenario, const TrialWorld& world,
+                                const MappedRun& prior_run, const MappedRun& work_run,
+                                std::int64_t trial, int threads) {
   StemSettings settings = scenario.map.stems;
   settings.voxel_m = 0.0;  // the clouds are thinned already
   const bool prior = scenario.map.source == "prior_run";
@@ -53,14 +55,19 @@ std::vector<TrunkMap> make_maps(const Scenario& scenario, const MappedRun& prior
   if (scenario.variants.repaired) {
     orders.push_back({scenario.map.source, &run, repaired(settings, "circle_fit")});
   }
-  if (scenario.variants.same_run && prior) orders.push_back({"same_run", &work_run, settings});
+  if (scenario.variants.same_run && scenario.map.source != "same_run") {
+    orders.push_back({"same_run", &work_run, settings});
+  }
 
   Progress progress(fmt::format("stand {}: trunk maps", trial), "maps",
                     static_cast<std::int64_t>(orders.size()));
   std::vector<TrunkMap> maps(orders.size());
 #pragma omp parallel for schedule(dynamic) num_threads(threads)
   for (std::size_t i = 0; i < orders.size(); ++i) {
-    maps[i] = make_trunk_map(orders[i].source, orders[i].run->cloud_in_odom, orders[i].settings,
+    maps[i] =
+        lists_trees(orders[i].source)
+            ? listed_trunk_map(scenario, world.when_mapped().stand, orders[i].settings, world.seed)
+            : make_trunk_map(orders[i].source, orders[i].run->cloud_in_odom, orders[i].settings,
                              planar(orders[i].run->drive.T_world_odom));
 #pragma omp critical
     progress.advance();
@@ -125,7 +132,7 @@ LocalizationTrial run_localization_trial(const Scenario& scenario, std::int64_t 
   MappedRun work = map_run(work_drive(scenario, world), scenario, world.seed,
                            stand + "localized run", threads, true);
   // Maps and matchers
-  exhibit->maps = make_maps(scenario, prior, work, trial, threads);
+  exhibit->maps = make_maps(scenario, world, prior, work, trial, threads);
   exhibit->variants = make_variants(scenario, exhibit->maps);
   keep_for_figures(*exhibit, std::move(prior), std::move(work));
   // Localization

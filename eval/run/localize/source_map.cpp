@@ -21,4 +21,20 @@ StemMap source_map(const sim::Stand& stand, const Scenario& scenario, std::uint6
                   map.source));
 }
 
+TrunkMap listed_trunk_map(const Scenario& scenario, const sim::Stand& stand,
+                          const StemSettings& settings, std::uint64_t seed) {
+  TrunkMap map;
+  map.source = scenario.map.source;
+  map.repaired = settings.height_band;
+  for (const Stem& listed : source_map(stand, scenario, seed)) {
+    ObservedStem stem;
+    stem.position_m = listed.position_m;
+    stem.dbh_m = listed.dbh_m;
+    stem.z_m = listed.z_m.value_or(0.0);
+    map.stems.push_back(stem);
+  }
+  map.graph = build_delaunay(map.positions_m());
+  return map;
+}
+
 }  // namespace honka::eval

@@ -5,6 +5,7 @@
 
 #include "algo/types/stem.h"
 #include "eval/config/scenario.h"
+#include "eval/run/trunk_map.h"
 #include "sim/forest/stand.h"
 
 namespace honka::eval {
@@ -16,5 +17,9 @@ namespace honka::eval {
 /// depend on (tree, seed). UserError at a source that is a run.
 [[nodiscard]] StemMap source_map(const sim::Stand& stand, const Scenario& scenario,
                                  std::uint64_t seed);
+
+/// The same as a trunk map, its settings telling whether it counts as the repaired form's.
+[[nodiscard]] TrunkMap listed_trunk_map(const Scenario& scenario, const sim::Stand& stand,
+                                        const StemSettings& settings, std::uint64_t seed);
 
 }  // namespace honka::eval
