@@ -34,24 +34,32 @@ std::vector<Eigen::Vector2d> position_ellipse(const Belief& belief, double scale
   return outline;
 }
 
-/// Truth and track; a gap where there is no pose and where the machine was carried off.
+/// Truth and track; a new line where there was no pose and where a pose jumped.
 struct TrackLines {
-  std::vector<Eigen::Vector2d> truth, track;
-  std::vector<std::vector<Eigen::Vector2d>> ellipses;
+  std::vector<std::vector<Eigen::Vector2d>> truth, track, ellipses;
 };
 
+/// Appends a point to the last line, or begins one where it is too far away to have been driven.
+void extend_lines(std::vector<std::vector<Eigen::Vector2d>>& lines, const Eigen::Vector2d& point,
+                  bool begins) {
+  constexpr double kJump_m = 2.0;
+  if (begins || lines.empty() || (point - lines.back().back()).norm() > kJump_m) {
+    lines.emplace_back();
+  }
+  lines.back().push_back(point);
+}
+
 TrackLines track_lines(const TrackingDrive& drive, const TrackedRun& run, double scale) {
-  const Eigen::Vector2d gap(NAN, NAN);
   TrackLines lines;
+  bool had_pose = false;
   for (std::size_t k = 0; k < run.poses.size(); ++k) {
     const TrackedPose& pose = run.poses[k];
-    const bool hop = drive.kidnapped_s >= 0.0 && std::abs(pose.time_s - drive.kidnapped_s) < 0.01;
-    if (hop) lines.truth.push_back(gap);
-    lines.truth.push_back(drive.scans[k].T_world_lidar.translation_m);
-    lines.track.push_back(pose.has_pose() ? pose.belief.T_map_lidar.translation_m : gap);
-    if (pose.has_pose() && k % kScansAnEllipse == 0) {
-      lines.ellipses.push_back(position_ellipse(pose.belief, scale));
+    extend_lines(lines.truth, drive.scans[k].T_world_lidar.translation_m, k == 0);
+    if (pose.has_pose()) {
+      extend_lines(lines.track, pose.belief.T_map_lidar.translation_m, !had_pose);
+      if (k % kScansAnEllipse == 0) lines.ellipses.push_back(position_ellipse(pose.belief, scale));
     }
+    had_pose = pose.has_pose();
   }
   return lines;
 }
@@ -73,19 +81,20 @@ ReportFigure draw_way(const std::filesystem::path& folder, const TrackingDrive& 
   figure << "set size ratio -1"
          << "set xlabel 'x (m)'"
          << "set ylabel 'y (m)'";
-  figure.key_below(120);
+  figure.key_below(150);
   std::vector<std::string> elements = {figure.data("stems of the map", drive.map_m) +
                                        " with points pt 7 ps 0.25 lc '#C8C8C8' title "
                                        "'map'"};
   if (!drive.hidden_m.empty()) {
     elements.push_back(figure.data("stems left out of the map", drive.hidden_m) +
-                       " with points pt 6 ps 0.3 lc " + kYellow + " title 'left out of the map'");
+                       " with points pt 6 ps 0.4 lc " + kSky + " title 'left out of the map'");
   }
-  elements.push_back(figure.data("truth: x y", lines.truth) + " with lines lw 5 lc " + kGrey +
+  elements.push_back(figure.lines("truth: x y", lines.truth) + " with lines lw 5 lc " + kGrey +
                      " title 'truth'");
-  if (!lines.ellipses.empty())
-    elements.push_back(figure.data("track: x y", lines.track) + " with lines lw 1.6 lc " + kBlue +
+  if (!lines.track.empty()) {
+    elements.push_back(figure.lines("track: x y", lines.track) + " with lines lw 1.6 lc " + kBlue +
                        " title 'track'");
+  }
   if (!lines.ellipses.empty()) {
     elements.push_back(figure.lines("2 s.d. × 10", lines.ellipses) + " with lines lw 1.2 lc " +
                        kOrange + " title '2 s.d. × 10'");
