@@ -25,7 +25,7 @@ std::optional<double> beyond_bound_m(const LocalizationSummary& s) {
       std::max(0.0, *s.in_map_rms_m * *s.in_map_rms_m - *s.in_map_bound_m * *s.in_map_bound_m));
 }
 
-std::string chain_of(const LocalizationSummary& s) {
+std::string stem_chain_name(const LocalizationSummary& s) {
   return s.repaired ? "repaired" : "Algorithm 1";
 }
 
@@ -108,7 +108,7 @@ ReportTable matcher_comparison_table(const std::vector<LocalizationSummary>& sum
                    {"time p50 / p95", "ms"}};
   for (const LocalizationSummary& s : summaries) {
     table.rows.push_back({{s.method},
-                          {chain_of(s)},
+                          {stem_chain_name(s)},
                           {fmt::format("{}", s.frames)},
                           {fixed(s.trunks, 1)},
                           {fixed(100.0 * s.success_rate(), 1)},

@@ -110,8 +110,8 @@ ReportFigure draw_success_by_case(const std::filesystem::path& folder,
 ReportFigure draw_bound_by_case(const std::filesystem::path& folder,
                                 const std::vector<SightingSummary>& summaries) {
   const auto value = [](const SightingSummary& s) {
-    // An RMS of n planar errors is known to about 1/√(2n) of itself.
-    const double ratio = ratio_or_nan(s.error_over_bound);
+    // An RMS of 2n normal components has a relative s.d. of 1/√(4n); of a few it says nothing.
+    const double ratio = s.successes < 10 ? ratio_or_nan({}) : ratio_or_nan(s.error_over_bound);
     const double spread = 1.96 * ratio / std::sqrt(4.0 * std::max<double>(s.successes, 1.0));
     return std::array<double, 3>{ratio, ratio - spread, ratio + spread};
   };

@@ -66,8 +66,9 @@ SightingExhibit exhibit_of(const Scenario& scenario, const std::vector<SightingC
 }
 
 bool any_bound(const std::vector<SightingSummary>& summaries) {
-  return std::any_of(summaries.begin(), summaries.end(),
-                     [](const SightingSummary& s) { return s.error_over_bound.has_value(); });
+  return std::any_of(summaries.begin(), summaries.end(), [](const SightingSummary& s) {
+    return s.error_over_bound && s.successes >= 10;
+  });
 }
 
 bool sizes_differ(const std::vector<SightingSummary>& summaries) {

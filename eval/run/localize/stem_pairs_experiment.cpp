@@ -57,7 +57,7 @@ std::optional<double> greatest(const StemPairGroup& group, double (*of)(const St
 double metres_off(const StemPairRow& row) { return row.deviation.translation_m; }
 double degrees_off(const StemPairRow& row) { return rad_to_deg(row.deviation.rotation_rad); }
 
-std::vector<double> times_of(const StemPairGroup& group) {
+std::vector<double> pair_times_ms(const StemPairGroup& group) {
   std::vector<double> times_ms;
   for (const StemPairRow* row : group.rows) times_ms.push_back(row->match_ms);
   return times_ms;
@@ -91,7 +91,7 @@ Json group_json(const StemPairGroup& group) {
   row["error_over_bound"] = nullptr;
   row["greatest_deviation_m"] = json_of(greatest(group, metres_off));
   row["greatest_deviation_deg"] = json_of(greatest(group, degrees_off));
-  const auto times_ms = times_of(group);
+  const auto times_ms = pair_times_ms(group);
   row["time_ms"] = {{"p50", json_of(percentile(times_ms, 50))},
                     {"p95", json_of(percentile(times_ms, 95))}};
   return row;
@@ -143,7 +143,7 @@ ReportTable groups_table(const std::vector<StemPairGroup>& groups) {
                           {fmt::format("{}", g.size())},
                           {text_or_dash(greatest(g, metres_off), 3)},
                           {text_or_dash(greatest(g, degrees_off), 3)},
-                          {text_or_dash(percentile(times_of(g), 50), 2)}});
+                          {text_or_dash(percentile(pair_times_ms(g), 50), 2)}});
   }
   return table;
 }
