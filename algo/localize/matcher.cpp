@@ -7,6 +7,7 @@
 #include <array>
 #include <cmath>
 
+#include "algo/localize/consensus/consensus.h"
 #include "algo/localize/li2020/li2020.h"
 #include "algo/localize/li2020/submaps.h"
 #include "algo/types/user_error.h"
@@ -30,6 +31,11 @@ constexpr std::array kMatchers = {
               return std::make_unique<SubmapMatcher>(map, s.li2020);
             }
             return std::make_unique<Li2020Matcher>(map, s.li2020);
+          }},
+    Entry{"consensus",
+          [](const Stems& map, const LocalizeSettings& s) -> std::unique_ptr<Matcher> {
+            return std::make_unique<ConsensusMatcher>(std::make_shared<ConsensusIndex>(map),
+                                                      s.consensus);
           }},
 };
 
@@ -63,6 +69,7 @@ const std::vector<std::string>& matcher_names() {
 void describe(SettingsVisitor& v, LocalizeSettings& s) {
   v.field({"method", "", "matcher that answers", "Li2020 §2.8"}, s.method, matcher_names());
   v.group("li2020", [&] { describe(v, s.li2020); });
+  v.group("consensus", [&] { describe(v, s.consensus); });
 }
 
 std::unique_ptr<Matcher> create_matcher(std::string_view method, const Stems& stems_in_map_m,

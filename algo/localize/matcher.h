@@ -9,6 +9,7 @@
 #include <string_view>
 #include <vector>
 
+#include "algo/localize/consensus/settings.h"
 #include "algo/localize/li2020/settings.h"
 #include "algo/types/pose.h"
 #include "algo/types/settings.h"
@@ -69,7 +70,9 @@ struct LocateResult {
   int matches = 0;      ///< local stars with a map star
   int agreeing = 0;     ///< matches that agree with the pose
   int inliers = 0;      ///< distinct local stems in agreeing matches
-  double margin = 0.0;  ///< li2020: agreeing / matches; 0 without a match
+  /// li2020: agreeing / matches; consensus: nats over chance and over every other place. 0 without
+  /// a match.
+  double margin = 0.0;
   /// Of (x, y, yaw) in the map frame, m² and rad², from the residuals of the pairs; of accepted
   /// poses, by matchers that estimate it.
   std::optional<Eigen::Matrix3d> covariance;
@@ -102,6 +105,7 @@ class Matcher {
 struct LocalizeSettings {
   std::string method = "li2020";
   Li2020Settings li2020;
+  ConsensusSettings consensus;
 };
 
 void describe(SettingsVisitor& v, LocalizeSettings& s);

@@ -8,9 +8,9 @@
 
 namespace honka {
 
-/// Finds one frame of stems in any map, without a guess, and says so when it is not there: groups
-/// of neighbouring stems propose places, all stems weigh them, evidence decides. The folder's
-/// README tells how.
+/// Finds one frame of stems in any map, without a guess, and says so when it is
+/// not there: groups of neighbouring stems propose places, all stems weigh
+/// them, evidence decides. The folder's README tells how.
 class ConsensusMatcher final : public Matcher {
  public:
   /// Throws UserError at settings out of range.

@@ -13,17 +13,20 @@ namespace honka {
 /// 64-bit hash of a map's stems, in their order; −0 counts as 0.
 [[nodiscard]] std::uint64_t map_hash(std::span<const Eigen::Vector2d> stems_in_map_m);
 
-/// What the matcher `consensus` knows of a map: immutable, built once, shared by matchers and
-/// threads. Coordinates inside are relative to centre_m().
+/// What the matcher `consensus` knows of a map: immutable, built once, shared
+/// by matchers and threads. Coordinates inside are relative to centre_m().
 class ConsensusIndex {
  public:
-  /// From N ≥ 3 stems at three places or more (metres; UTM-sized coordinates keep millimetres).
-  /// Throws UserError at a coordinate not finite or a smaller map.
+  /// From N ≥ 3 stems at three places or more (metres; UTM-sized coordinates
+  /// keep millimetres). Throws UserError at a coordinate not finite or a
+  /// smaller map.
   explicit ConsensusIndex(std::span<const Eigen::Vector2d> stems_in_map_m);
 
-  /// A little-endian buffer with a versioned header, the map's hash, its length and a checksum.
+  /// A little-endian buffer with a versioned header, the map's hash, its length
+  /// and a checksum.
   [[nodiscard]] std::vector<std::uint8_t> to_bytes() const;
-  /// Throws UserError with the reason at a buffer that is short, damaged or something else.
+  /// Throws UserError with the reason at a buffer that is short, damaged or
+  /// something else.
   [[nodiscard]] static ConsensusIndex from_bytes(std::span<const std::uint8_t> bytes);
 
   /// map_hash of the list it was built from.

@@ -5,10 +5,12 @@ namespace honka {
 void describe(SettingsVisitor& v, ConsensusSettings& s) {
   v.field(
       {"stem_sigma_m", "m", "noise of seen against mapped stems on each axis; searches start here",
-       "choice: stem detectors list centres to 0.05–0.2 m; the answer's is estimated"},
+       "choice: stem detectors list centres to 0.05–0.2 m; the answer's is "
+       "estimated"},
       s.stem_sigma_m, Range{0.01, 0.5});
   v.field({"sigma_floor_m", "m", "least noise that an answer may claim",
-           "VLP-16 manual: range accuracy 3 cm, 2 cm once many returns are averaged"},
+           "VLP-16 manual: range accuracy 3 cm, 2 cm once many returns are "
+           "averaged"},
           s.sigma_floor_m, Range{1e-4, 0.5});
   v.field({"accept_nats", "nats", "evidence over chance and over the runner-up to be accepted",
            "choice: odds of a million to one"},

@@ -3,19 +3,20 @@
 #include <Eigen/Core>
 #include <cmath>
 #include <cstdint>
-#include <span>
 #include <vector>
 
 namespace honka {
 
-/// The stems of a map in square cells, stored cell by cell, for "the nearest stem within a gate".
+/// The stems of a map in square cells, stored cell by cell, for "the nearest
+/// stem within a gate".
 ///
-/// Cells lie on a torus of 2^a × 2^b: their numbers wrap around, so that a stray stem far away
-/// costs nothing; distances tell stems of one cell apart. Coordinates are relative to the map's
-/// centre.
+/// Cells lie on a torus of 2^a × 2^b: their numbers wrap around, so that a
+/// stray stem far away costs nothing; distances tell stems of one cell apart.
+/// Coordinates are relative to a centre.
 class StemGrid {
  public:
-  /// Side of a cell; a gate is at most half of it, so that it touches 2 × 2 cells.
+  /// Side of a cell; a gate is at most half of it, so that it touches 2 × 2
+  /// cells.
   static constexpr double kCell_m = 3.0;
   static constexpr double kWidestGate_m = 0.5 * kCell_m;
 
@@ -25,34 +26,59 @@ class StemGrid {
   };
 
   StemGrid() = default;
-  /// Takes distinct, finite places in any order; they are stored in an order of their own.
+  /// Takes finite places in any order and stores each distinct one, in an order
+  /// of its own.
   explicit StemGrid(std::vector<Eigen::Vector2d> stems_m);
 
   [[nodiscard]] const std::vector<Eigen::Vector2d>& stems() const { return stems_; }
-  /// Stems per m² of the cells around those that hold stems.
-  [[nodiscard]] double density_per_m2() const { return density_per_m2_; }
-  /// Ground on which stems stand, m².
-  [[nodiscard]] double area_m2() const {
-    return static_cast<double>(stems_.size()) / density_per_m2_;
+  /// Ground on which the stems stand: blocks of 12 m that hold one.
+  [[nodiscard]] double area_m2() const { return area_m2_; }
+  [[nodiscard]] double density_per_m2() const {
+    return static_cast<double>(stems_.size()) / area_m2_;
   }
 
   /// The nearest stem within `gate_m` ≤ kWidestGate_m.
-  [[nodiscard]] Partner nearest(const Eigen::Vector2d& place_m, double gate_m) const;
-  /// Calls f(stem) for all stems within the radius, and maybe for others.
-  template <class F>
-  void for_each_around(const Eigen::Vector2d& place_m, double radius_m, F&& f) const;
-
- private:
-  [[nodiscard]] std::size_t cell(std::int64_t ix, std::int64_t iy) const {
-    return (static_cast<std::size_t>(iy) & mask_y_) << bits_x_ |
-           (static_cast<std::size_t>(ix) & mask_x_);
+  [[nodiscard]] Partner nearest(const Eigen::Vector2d& place_m, double gate_m) const {
+    Partner best{-1, gate_m * gate_m};
+    const std::int64_t x0 = cell_of(place_m.x() - gate_m);
+    const std::int64_t x1 = cell_of(place_m.x() + gate_m);
+    const std::int64_t y1 = cell_of(place_m.y() + gate_m);
+    for (std::int64_t y = cell_of(place_m.y() - gate_m); y <= y1; ++y) {
+      for (std::int64_t x = x0; x <= x1; ++x) {
+        const std::size_t c = slot(x, y);
+        for (std::uint32_t i = starts_[c]; i < starts_[c + 1]; ++i) {
+          const double squared = (stems_[i] - place_m).squaredNorm();
+          if (squared < best.squared_m2) best = {static_cast<std::int32_t>(i), squared};
+        }
+      }
+    }
+    return best;
   }
 
+  /// The `count` nearest other stems within `reach_m`, by distance, then by
+  /// place in the order.
+  void nearest_others(std::uint32_t stem, std::size_t count, double reach_m,
+                      std::vector<std::pair<double, std::uint32_t>>& found) const;
+
+ private:
+  /// Rounds down without a call: 2^40 cells are beyond every map, and a
+  /// multiple of the torus.
+  [[nodiscard]] static std::int64_t cell_of(double coordinate_m) {
+    return static_cast<std::int64_t>(coordinate_m * (1.0 / kCell_m) + 0x1p40);
+  }
+  [[nodiscard]] std::size_t slot(std::int64_t x, std::int64_t y) const {
+    return (static_cast<std::size_t>(y) & mask_y_) << bits_x_ |
+           (static_cast<std::size_t>(x) & mask_x_);
+  }
+  void choose_torus();
+  void sort_by_slot();
+  void measure_area();
+
   std::vector<Eigen::Vector2d> stems_;
-  std::vector<std::uint32_t> starts_;
+  std::vector<std::uint32_t> starts_;  ///< of each slot in stems_
   unsigned bits_x_ = 0;
   std::size_t mask_x_ = 0, mask_y_ = 0;
-  double density_per_m2_ = 0.0;
+  double area_m2_ = 1.0;
 };
 
 }  // namespace honka

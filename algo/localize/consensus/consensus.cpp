@@ -1,0 +1,133 @@
+#include "algo/localize/consensus/consensus.h"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <numbers>
+#include <utility>
+
+#include "algo/localize/consensus/exhaustive_search.h"
+#include "algo/localize/consensus/frame.h"
+#include "algo/localize/consensus/group_search.h"
+#include "algo/localize/consensus/judge.h"
+#include "algo/localize/consensus/places.h"
+#include "algo/localize/consensus/twins.h"
+#include "algo/types/user_error.h"
+
+namespace honka {
+namespace {
+
+constexpr double kNarrowest_m = 0.5;  // stems nearer to a line than this tell no mirror image apart
+
+/// Of the sensor's x, y, yaw in the map frame: shift and turn are independent
+/// about the middle of the pairs, the sensor is a lever away from it.
+Eigen::Matrix3d covariance_of(const Fit& fit, const Eigen::Vector2d& sensor_in_frame_m) {
+  const double variance = fit.sigma_m * fit.sigma_m;
+  const Eigen::Vector2d arm = fit.placement.turned(sensor_in_frame_m - fit.middle_m);
+  const Eigen::Vector3d moved(-arm.y(), arm.x(),
+                              1.0);  // by a turn of one radian
+  Eigen::Matrix3d covariance = variance / fit.spread_m2 * moved * moved.transpose();
+  covariance(0, 0) += variance / fit.weight;
+  covariance(1, 1) += variance / fit.weight;
+  return covariance;
+}
+
+/// Where the sensor may be, in the index's coordinates.
+struct Allowed {
+  std::optional<LocatePrior> prior;
+  Eigen::Vector2d sensor_in_frame_m, position_m;
+
+  Allowed(const std::optional<LocatePrior>& p, const LocalFrame& frame, const ConsensusIndex& index)
+      : prior(p), sensor_in_frame_m(-frame.middle_m), position_m(Eigen::Vector2d::Zero()) {
+    if (prior) position_m = prior->position_in_map_m - index.centre_m();
+  }
+  [[nodiscard]] bool operator()(const Placement& p) const {
+    return !prior || (p * sensor_in_frame_m - position_m).norm() <= prior->radius_m;
+  }
+  [[nodiscard]] double area_m2(const StemGrid& grid) const {
+    if (!prior) return grid.area_m2();
+    return std::min(grid.area_m2(), std::numbers::pi * prior->radius_m * prior->radius_m);
+  }
+  /// Map stems that the frame can reach.
+  [[nodiscard]] std::vector<Eigen::Vector2d> stems(const StemGrid& grid, double radius_m) const {
+    if (!prior) return grid.stems();
+    std::vector<Eigen::Vector2d> near;
+    const double reach_m = prior->radius_m + sensor_in_frame_m.norm() + radius_m;
+    for (const Eigen::Vector2d& p : grid.stems()) {
+      if ((p - position_m).norm() <= reach_m) near.push_back(p);
+    }
+    return near;
+  }
+};
+
+/// From groups; where these leave a doubt, from all turns and shifts.
+PlaceList find_places(const Judge& judge, const LocalFrame& frame, const Allowed& allowed,
+                      LocateResult& result) {
+  PlaceList places;
+  const PlaceFilter allows = std::cref(allowed);
+  const double accept = judge.settings().accept_nats;
+  result.candidates = static_cast<int>(search_groups(judge, frame, allows, places));
+  if (!places.empty() && places.margin_nats(accept) >= accept) return places;
+  const StemGrid& grid = judge.index().grid();
+  search_exhaustively(judge, frame, allowed.stems(grid, frame.radius_m()), allows, places);
+  if (!places.empty()) add_twins(judge, Fit(*places.best()), allows, places);
+  return places;
+}
+
+}  // namespace
+
+ConsensusMatcher::ConsensusMatcher(std::shared_ptr<const ConsensusIndex> index,
+                                   ConsensusSettings settings)
+    : index_(std::move(index)), settings_(settings) {
+  const auto require = [](bool holds, const char* line) {
+    if (!holds) throw UserError(line);
+  };
+  require(settings_.stem_sigma_m > 0.0 && settings_.stem_sigma_m <= 0.5,
+          "consensus.stem_sigma_m must be above 0 and at most 0.5");
+  require(settings_.sigma_floor_m > 0.0 && settings_.sigma_floor_m <= 0.5,
+          "consensus.sigma_floor_m must be above 0 and at most 0.5");
+  require(settings_.accept_nats >= 0.0 && std::isfinite(settings_.accept_nats),
+          "consensus.accept_nats must not be negative");
+  require(settings_.least_share >= 0.0 && settings_.least_share <= 1.0,
+          "consensus.least_share must be from 0 to 1");
+  require(settings_.exhaustive_votes >= 0.0, "consensus.exhaustive_votes must not be negative");
+}
+
+LocateResult ConsensusMatcher::locate(const std::vector<Eigen::Vector2d>& stems_in_local_m,
+                                      const std::optional<LocatePrior>& prior) const {
+  check_prior(prior);
+  LocateResult result;
+  result.stems = static_cast<int>(stems_in_local_m.size());
+
+  // The frame, and whether it could be told from chance at all
+  const LocalFrame frame = make_frame(stems_in_local_m);
+  if (frame.stems_m.size() < 3 || frame.width_m() < kNarrowest_m) return result;
+  const Allowed allowed(prior, frame, *index_);
+  const Judge judge(*index_, settings_, frame.stems_m, allowed.area_m2(index_->grid()));
+  if (!judge.could_accept()) return result;
+
+  // Places, weighed
+  const PlaceList places = find_places(judge, frame, allowed, result);
+  result.verdict = Verdict::kNotInMap;
+  result.matches = static_cast<int>(places.size());
+  if (places.empty()) return result;
+
+  // The best of them, and the verdict
+  constexpr int kToTheEnd = 50;
+  const Fit best = judge.settle(*places.best(), kToTheEnd);
+  result.inliers = result.agreeing = best.inliers;
+  result.margin = places.margin_nats(settings_.accept_nats);
+  result.T_map_local = {best.placement * allowed.sensor_in_frame_m + index_->centre_m(),
+                        best.placement.yaw_rad()};
+  const double seen = static_cast<double>(frame.stems_m.size());
+  const bool most_agree = best.inliers > settings_.least_share * seen;
+  if (best.evidence_nats < settings_.accept_nats || !most_agree || !allowed(best.placement)) {
+    return result;
+  }
+  result.verdict =
+      result.margin >= settings_.accept_nats ? Verdict::kAccepted : Verdict::kAmbiguous;
+  if (result.accepted()) result.covariance = covariance_of(best, allowed.sensor_in_frame_m);
+  return result;
+}
+
+}  // namespace honka

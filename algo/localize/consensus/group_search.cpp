@@ -1,0 +1,146 @@
+#include "algo/localize/consensus/group_search.h"
+
+#include <algorithm>
+#include <array>
+#include <utility>
+
+#include "algo/localize/consensus/twins.h"
+
+namespace honka {
+namespace {
+
+constexpr std::size_t kLocalNear = 6;
+constexpr std::size_t kWitnesses = 16;        // stems around a group that are heard first
+constexpr std::size_t kRefinedPerGroup = 32;  // the rest of a lattice's look-alikes are not needed
+constexpr double kDoubtless_nats = 10.0;      // beyond acceptance
+constexpr int kGroupsAfterwards = 3;          // a copy elsewhere shares most of its groups
+
+using ThreeOf = std::array<std::uint8_t, 3>;
+
+/// Three of six neighbours, by the farthest: those that survive missed stems
+/// best come first.
+constexpr std::array<ThreeOf, 20> kThreeOfSix = [] {
+  std::array<ThreeOf, 20> all{};
+  std::size_t next = 0;
+  for (std::uint8_t c = 2; c < kLocalNear; ++c) {
+    for (std::uint8_t b = 1; b < c; ++b) {
+      for (std::uint8_t a = 0; a < b; ++a) all[next++] = {a, b, c};
+    }
+  }
+  return all;
+}();
+
+/// One search: its buffers and what it has seen.
+class GroupSearch {
+ public:
+  GroupSearch(const Judge& judge, const LocalFrame& frame, const PlaceFilter& allows,
+              PlaceList& places)
+      : judge_(judge),
+        frame_(frame),
+        allows_(allows),
+        places_(places),
+        near_(frame.stems_m.size()) {}
+
+  std::int64_t run() {
+    int afterwards = 0;
+    for (const ThreeOf& three : kThreeOfSix) {
+      for (std::uint32_t base = 0; base < frame_.stems_m.size(); ++base) {
+        try_group(base, three);
+        if (is_beyond_doubt() && ++afterwards > kGroupsAfterwards) return tried_;
+      }
+    }
+    return tried_;
+  }
+
+ private:
+  const std::vector<std::uint32_t>& near(std::uint32_t base) {
+    if (near_[base].empty()) frame_.nearest(base, kWitnesses, near_[base]);
+    return near_[base];
+  }
+
+  /// Looks one local group up, hears all that fits, refines the best of it.
+  void try_group(std::uint32_t base, const ThreeOf& three) {
+    const auto& around = near(base);
+    if (three[2] >= around.size()) return;
+    std::array<std::uint32_t, 3> others{around[three[0]], around[three[1]], around[three[2]]};
+    sort_around(frame_.stems_m, base, others);
+    const double tolerance = 3.5 * judge_.settings().stem_sigma_m;
+    heard_.clear();
+    for (std::size_t turn = 0; turn < 3; ++turn) {
+      const StemGroup g = turned({base, others[0], others[1], others[2]}, turn);
+      const GroupShape shape = shape_of(frame_.stems_m, g);
+      // The map's groups start with their longest leg; noise may have made it
+      // the second here.
+      if (shape.legs_m[0] + tolerance < std::max(shape.legs_m[1], shape.legs_m[2])) continue;
+      judge_.index().groups().find(shape, tolerance, found_);
+      for (const std::uint32_t id : found_) hear_pairing(g, id);
+    }
+    refine_heard();
+  }
+
+  void hear_pairing(const StemGroup& local, std::uint32_t id) {
+    const StemGrid& grid = judge_.index().grid();
+    const StemGroup map = judge_.index().groups().group(grid, id);
+    const Eigen::Vector2d origin = grid.stems()[map[0]];
+    PairSums sums;
+    for (std::size_t k = 0; k < 4; ++k) {
+      sums.add(frame_.stems_m[local[k]], grid.stems()[map[k]] - origin, 1.0);
+    }
+    ++tried_;
+    Fit fit = solve(sums, origin);
+    fit.sigma_m = judge_.settings().stem_sigma_m;
+    // Five degrees of freedom are left: a true group exceeds 18 σ² once in 300.
+    if (fit.squares_m2 > 18.0 * fit.sigma_m * fit.sigma_m || !allows_(fit.placement)) return;
+    const auto nats = judge_.hear(fit, near(local[0]));
+    if (!nats) return;
+    fit.evidence_nats = *nats;
+    heard_.push_back(fit);
+  }
+
+  void refine_heard() {
+    const std::size_t kept = std::min(heard_.size(), kRefinedPerGroup);
+    std::partial_sort(heard_.begin(), heard_.begin() + static_cast<std::ptrdiff_t>(kept),
+                      heard_.end(),
+                      [](const Fit& a, const Fit& b) { return a.evidence_nats > b.evidence_nats; });
+    for (std::size_t k = 0; k < kept; ++k) {
+      if (!places_.knows(heard_[k].placement)) places_.add(judge_.refine(heard_[k]));
+    }
+  }
+
+  /// Whether the best place is far above chance and above all others, its own
+  /// twins among them.
+  bool is_beyond_doubt() {
+    const double accept = judge_.settings().accept_nats;
+    const auto holds = [&] {
+      const Fit* best = places_.best();
+      return best != nullptr && best->evidence_nats > accept + kDoubtless_nats &&
+             places_.margin_nats(accept) > accept;
+    };
+    if (!holds()) return false;
+    const Fit best = *places_.best();
+    if (best.evidence_nats != twins_of_nats_) {
+      add_twins(judge_, best, allows_, places_);
+      twins_of_nats_ = best.evidence_nats;
+    }
+    return holds();
+  }
+
+  const Judge& judge_;
+  const LocalFrame& frame_;
+  const PlaceFilter& allows_;
+  PlaceList& places_;
+  std::vector<std::vector<std::uint32_t>> near_;
+  std::vector<std::uint32_t> found_;
+  std::vector<Fit> heard_;
+  double twins_of_nats_ = 0.0;
+  std::int64_t tried_ = 0;
+};
+
+}  // namespace
+
+std::int64_t search_groups(const Judge& judge, const LocalFrame& frame, const PlaceFilter& allows,
+                           PlaceList& places) {
+  return GroupSearch(judge, frame, allows, places).run();
+}
+
+}  // namespace honka
