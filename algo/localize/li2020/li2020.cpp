@@ -75,6 +75,16 @@ Li2020Matcher::Li2020Matcher(const Points& stems_in_map_m, Li2020Settings settin
         "the map has {} stems and no triangle with three neighbours; give a map of more stems",
         stems_in_map_m.size()));
   }
+  for (const TriangleStar& star : index_.stars()) {
+    const auto vertex = [&](std::size_t k) -> const Eigen::Vector2d& {
+      return map_.vertices[static_cast<std::size_t>(star.vertices[k])];
+    };
+    StarPlace place{vertex(0)};
+    for (std::size_t k = 1; k < 6; ++k) {
+      place.span_m = std::max(place.span_m, (vertex(k) - vertex(0)).norm());
+    }
+    places_.push_back(place);
+  }
 }
 
 Li2020Matcher::Candidate Li2020Matcher::make_candidate(const TriangleStar& local,
@@ -131,13 +141,8 @@ StarIndex::Keys Li2020Matcher::active_stars(const LocalGraph& local) const {
   }
   const double near_m = local.limit->radius_m + reach_m;
   return index_.active([&](std::size_t i) {
-    const auto& vertices = index_.stars()[i].vertices;
-    const auto place = [&](std::size_t k) -> const Eigen::Vector2d& {
-      return map_.vertices[static_cast<std::size_t>(vertices[k])];
-    };
-    double span_m = 0.0;
-    for (std::size_t k = 1; k < 6; ++k) span_m = std::max(span_m, (place(k) - place(0)).norm());
-    return (place(0) - local.limit->map_m).norm() <= near_m + span_m;
+    const double reach = near_m + places_[i].span_m;
+    return (places_[i].corner_m - local.limit->map_m).squaredNorm() <= reach * reach;
   });
 }
 

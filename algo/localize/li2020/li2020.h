@@ -61,6 +61,12 @@ class Li2020Matcher final : public Matcher {
   Eigen::Vector2d centre_m_ = Eigen::Vector2d::Zero();
   DelaunayGraph map_;
   StarIndex index_;
+  /// Of each map star: its first corner, and how far its other vertices are from it at most.
+  struct StarPlace {
+    Eigen::Vector2d corner_m;
+    double span_m = 0.0;
+  };
+  std::vector<StarPlace> places_;
 };
 
 }  // namespace honka
