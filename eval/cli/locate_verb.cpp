@@ -1,23 +1,20 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
+#include <cstdio>
 #include <nlohmann/json.hpp>
 
-#include "algo/localize/matcher.h"
+#include "algo/localize/consensus/consensus.h"
 #include "algo/types/user_error.h"
+#include "eval/cli/index_file.h"
+#include "eval/cli/locate_prior.h"
 #include "eval/cli/verbs.h"
 #include "eval/io/csv.h"
+#include "eval/run/stopwatch.h"
 
 namespace honka::eval {
 namespace {
-
-using Clock = std::chrono::steady_clock;
-
-double milliseconds_since(Clock::time_point start) {
-  return std::chrono::duration<double, std::milli>(Clock::now() - start).count();
-}
 
 std::vector<Eigen::Vector2d> positions(const StemMap& stems) {
   std::vector<Eigen::Vector2d> result;
@@ -60,39 +57,77 @@ void print_text(const nlohmann::ordered_json& json) {
              int{json["matches"]}, int{json["agreeing"]}, double{json["time_ms"]});
 }
 
-/// The matcher over the map; its complaint about the stems names their file.
-std::unique_ptr<Matcher> make_matcher(const LocateArguments& arguments, const StemMap& map) {
+/// The matcher over the map, and how long its graph or index took.
+struct MapMatcher {
+  std::unique_ptr<Matcher> matcher;
+  double map_ms = 0.0;
+};
+
+/// With the index of a file; written where the file holds none of this map.
+MapMatcher matcher_by_file(const LocateArguments& arguments,
+                           const std::vector<Eigen::Vector2d>& map) {
+  const Stopwatch watch;
+  const IndexFromFile file = load_or_build_index(arguments.index, map);
+  MapMatcher result{std::make_unique<ConsensusMatcher>(file.index, LocalizeSettings{}.consensus),
+                    0.0};
+  result.map_ms = watch.milliseconds();
+  if (file.foreign) {
+    fmt::print(stderr, "note: {} holds the index of another map; it is replaced\n",
+               arguments.index.string());
+  }
+  if (!file.loaded) write_index_file(arguments.index, *file.index);
+  return result;
+}
+
+/// The matcher's complaint about the stems names their file.
+MapMatcher make_map_matcher(const LocateArguments& arguments,
+                            const std::vector<Eigen::Vector2d>& map) {
   LocalizeSettings settings;
   settings.method = arguments.method;
   settings.li2020.tolerance_m2 = arguments.tolerance_m2;
   const auto names = matcher_names();
   const bool known = std::find(names.begin(), names.end(), arguments.method) != names.end();
+  if (!arguments.index.empty() && arguments.method == "consensus") {
+    return matcher_by_file(arguments, map);
+  }
   try {
-    return create_matcher(arguments.method, positions(map), settings);
+    const Stopwatch watch;
+    MapMatcher result{create_matcher(arguments.method, map, settings), 0.0};
+    result.map_ms = watch.milliseconds();
+    return result;
   } catch (const UserError& error) {
     throw UserError((known ? arguments.map.string() : "--method") + ": " + error.what());
+  }
+}
+
+void check_arguments(const LocateArguments& arguments) {
+  if (!std::isfinite(arguments.tolerance_m2)) {
+    throw UserError("--tolerance-m2: must be a finite number of square metres, such as 4.5");
+  }
+  if (!arguments.index.empty() && arguments.method != "consensus") {
+    throw UserError("--index: only the method consensus keeps an index; add --method consensus, " +
+                    std::string("or leave --index out"));
   }
 }
 
 }  // namespace
 
 int locate_verb(const LocateArguments& arguments) {
-  if (!std::isfinite(arguments.tolerance_m2)) {
-    throw UserError("--tolerance-m2: must be a finite number of square metres, such as 4.5");
-  }
-  const StemMap map = read_stem_csv(arguments.map);
+  check_arguments(arguments);
+  std::optional<LocatePrior> prior;
+  if (arguments.prior) prior = parse_prior(*arguments.prior);
+  const std::vector<Eigen::Vector2d> map = positions(read_stem_csv(arguments.map));
   std::vector<std::vector<Eigen::Vector2d>> locals;
-  for (const auto& file : arguments.locals) locals.push_back(positions(read_stem_csv(file)));
-
-  const auto map_start = Clock::now();
-  const auto matcher = make_matcher(arguments, map);
-  const double map_ms = milliseconds_since(map_start);
+  for (const auto& file : arguments.locals) {
+    locals.push_back(positions(read_stem_csv(file, StemList::kMayBeEmpty)));
+  }
+  const MapMatcher by_map = make_map_matcher(arguments, map);
 
   for (std::size_t i = 0; i < locals.size(); ++i) {
-    const auto start = Clock::now();
-    const LocateResult result = matcher->locate(locals[i]);
-    auto json = answer(arguments.locals[i], arguments.method, result, milliseconds_since(start));
-    if (i == 0) json["map_ms"] = map_ms;
+    const Stopwatch watch;
+    const LocateResult result = by_map.matcher->locate(locals[i], prior);
+    auto json = answer(arguments.locals[i], arguments.method, result, watch.milliseconds());
+    if (i == 0) json["map_ms"] = by_map.map_ms;
     if (arguments.json) {
       fmt::print("{}\n", json.dump());
     } else {

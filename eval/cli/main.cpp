@@ -53,9 +53,11 @@ void add_locate(CLI::App& app, LocateArguments& arguments, Action& action) {
   auto& verb = *app.add_subcommand("locate", "find stem lists in a stem map");
   verb.add_option("MAP", arguments.map, "stem list of the map (CSV)")->required();
   verb.add_option("LOCAL", arguments.locals, "stem lists seen from the sensor (CSV)")->required();
-  verb.add_option("--method", arguments.method, "how: li2020");
+  verb.add_option("--method", arguments.method, "how: li2020 or consensus");
   verb.add_option("--tolerance-m2", arguments.tolerance_m2, "of a triangle and its neighbours")
       ->check(CLI::Range(0.0, kLargestTolerance_m2));
+  verb.add_option("--prior", arguments.prior, "x,y,radius: the sensor is within (m)");
+  verb.add_option("--index", arguments.index, "of consensus: loaded if it is of MAP, else written");
   verb.add_flag("--json", arguments.json, "one JSON object a local file");
   verb.callback([&] { action = [&] { return locate_verb(arguments); }; });
 }

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "algo/localize/consensus/consensus.h"
 #include "algo/types/user_error.h"
 #include "eval/config/words.h"
 #include "eval/run/localize/peak_memory.h"
@@ -18,13 +19,20 @@ TimedMatcher make_timed_matcher(const std::string& method,
   TimedMatcher timed;
   const MemoryMeter memory;
   const Stopwatch watch;
+  std::shared_ptr<const ConsensusIndex> index;
   try {
-    timed.matcher = create_matcher(method, stems_in_map_m, settings);
+    if (method == "consensus") {
+      index = std::make_shared<const ConsensusIndex>(stems_in_map_m);
+      timed.matcher = std::make_unique<ConsensusMatcher>(index, settings.consensus);
+    } else {
+      timed.matcher = create_matcher(method, stems_in_map_m, settings);
+    }
   } catch (const UserError&) {
     // A map that cannot be matched in is a result: its rows say so.
   }
   timed.build_ms = watch.milliseconds();
   timed.memory_bytes = memory.peak_bytes();
+  if (index) timed.index_bytes = static_cast<std::int64_t>(index->to_bytes().size());
   return timed;
 }
 
