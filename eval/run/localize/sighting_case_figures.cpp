@@ -145,11 +145,11 @@ ReportFigure draw_time_by_case(const std::filesystem::path& folder,
 
 ReportFigure draw_time_by_size(const std::filesystem::path& folder,
                                const std::vector<SightingSummary>& summaries) {
-  Figure figure(folder, "time_by_size", 860, 560);
+  Figure figure(folder, "time_by_size", 860, 590);
   figure.title("Time against the size of the map", "one thread; a query: p50, whisker to p95");
   figure << "set logscale xy\nset xlabel 'stems in the map'\nset ylabel 'time (ms)'"
          << "set format x '10^{%L}'\nset format y '10^{%L}'\nset grid";
-  figure.key_below(110);
+  figure.key_below(145);
   Texts elements;
   const Texts methods = distinct(summaries, &SightingSummary::method);
   for (std::size_t m = 0; m < methods.size(); ++m) {
