@@ -81,7 +81,8 @@ matches, agreeing, inliers, margin, time_ms; map_ms in the first.
 
 constexpr const char* kSlam =
     R"(honka slam FRAMES.csv[.gz] [--chain POSES] --out DIR
-           [--method chain|paper|interpolate|pose_graph|landmark_ba]
+           [--method chain|paper|interpolate|pose_graph|landmark_ba] [--propose]
+           [--vehicle FRAMES.csv]…
 
 FRAMES holds one stem a row: frame,x_m,y_m,z_m (also x,y,z; other columns are left alone), in the
 lidar's frame, x ahead, y left, z up. POSES holds T_first_frame, 12 numbers a frame ([R|t] by rows,
@@ -92,6 +93,10 @@ commas or blanks, no header); without it the chain is made from the frames.
            interpolate   chain re-registered, verified matches squeezed in one by one
            pose_graph    the same matches, all poses fitted at once
            landmark_ba   then poses and stems together (as left out)
+--propose  pairs that the poses do not show are looked for too, by triangles of stems: for a drive
+           that comes back after its chain has drifted away
+--vehicle  another vehicle's frames on the same site, wherever it began: mapped alone, then joined
+           where triangles of stems agree; trajectory_2.tum and so on, in the frame of FRAMES
 DIR        trajectory.tum (time = frame number), stems.csv (x_m,y_m,z_m,observations,rmse_m),
            summary.json (blur, cluster RMSE, box dimension, matches, times, frames not placed)
 )";

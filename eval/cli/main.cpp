@@ -81,6 +81,9 @@ void add_slam(CLI::App& app, SlamArguments& arguments, Action& action) {
   verb.add_option("FRAMES", arguments.frames, "stems a key frame (CSV, also gzipped)")->required();
   verb.add_option("--chain", arguments.chain, "poses of the frames, 12 numbers a row");
   verb.add_option("--method", arguments.method, "how: see honka help slam");
+  verb.add_flag("--propose", arguments.propose, "look for pairs that the poses do not show, too");
+  verb.add_option("--vehicle", arguments.vehicles, "frames of another vehicle there, repeatable")
+      ->expected(1);
   verb.add_option("--out", arguments.out, "folder of the results")->required();
   verb.callback([&] { action = [&] { return slam_verb(arguments); }; });
 }

@@ -4,25 +4,19 @@
 #include <algorithm>
 #include <cmath>
 #include <memory>
-#include <nlohmann/json.hpp>
 
-#include "algo/slam/map_quality/blur.h"
-#include "algo/slam/map_quality/box_counting.h"
-#include "algo/slam/map_quality/clusters.h"
 #include "algo/slam/slam.h"
 #include "algo/types/user_error.h"
+#include "eval/cli/slam_output.h"
 #include "eval/cli/verbs.h"
 #include "eval/io/context.h"
 #include "eval/io/frames_csv.h"
 #include "eval/io/safe_file.h"
 #include "eval/io/text_table.h"
-#include "eval/io/tum.h"
 #include "eval/run/progress.h"
 
 namespace honka::eval {
 namespace {
-
-using SlamJson = nlohmann::ordered_json;
 
 /// Shows how far the stages have come, on the error stream.
 class SlamProgress : public SlamObserver {
@@ -79,49 +73,6 @@ void check_method(const std::string& method) {
                               nearest ? "; did you mean " + *nearest + "?" : ""));
 }
 
-SlamJson metric_json_of(double value, const char* unit, std::int64_t n) {
-  SlamJson json;
-  json["value"] = std::isfinite(value) ? SlamJson(value) : SlamJson(nullptr);
-  json["unit"] = unit;
-  json["n"] = n;
-  return json;
-}
-
-/// β, e_C with both links, and the box dimension of the map.
-SlamJson quality_json(const std::vector<Eigen::Vector3d>& map_m) {
-  const auto points = static_cast<std::int64_t>(map_m.size());
-  const RegistrationNoise wide = registration_noise(map_m, ClusterSettings{});
-  ClusterSettings half;
-  half.link_m = 0.5;
-  const RegistrationNoise narrow = registration_noise(map_m, half);
-  SlamJson json;
-  json["blur"] = metric_json_of(blur(map_m, {}), "1", points);
-  json["box_dimension"] = metric_json_of(box_dimension(map_m, {}), "1", points);
-  json["cluster_rmse_m"] = metric_json_of(wide.mean_rmse_m, "m", wide.clusters);
-  json["cluster_rmse_pooled_m"] = metric_json_of(wide.pooled_rmse_m, "m", wide.points);
-  json["cluster_rmse_link_0.5_m"] = metric_json_of(narrow.mean_rmse_m, "m", narrow.clusters);
-  return json;
-}
-
-/// How many frames have each status, and which are not placed.
-SlamJson status_json(const std::vector<SparseFrame>& frames, const SlamResult& result) {
-  SlamJson counts = SlamJson::object(), not_placed = SlamJson::array();
-  for (const FrameStatus status : {FrameStatus::kPlaced, FrameStatus::kUnverified,
-                                   FrameStatus::kTooFewPoints, FrameStatus::kNotFinite}) {
-    counts[std::string(frame_status_name(status))] =
-        std::count(result.frames.begin(), result.frames.end(), status);
-  }
-  for (std::size_t l = 0; l < frames.size(); ++l) {
-    if (result.frames[l] == FrameStatus::kPlaced) continue;
-    not_placed.push_back(
-        {{"frame", frames[l].number}, {"status", frame_status_name(result.frames[l])}});
-  }
-  SlamJson json;
-  json["counts"] = std::move(counts);
-  json["not_placed"] = std::move(not_placed);
-  return json;
-}
-
 SlamJson summary_of(const SlamArguments& arguments, const std::vector<SparseFrame>& frames,
                     const SlamResult& result, const Context& context) {
   const auto map_m = map_points(frames, result.T_first_frame);
@@ -133,7 +84,7 @@ SlamJson summary_of(const SlamArguments& arguments, const std::vector<SparseFram
                    {"chain", arguments.chain.empty() ? "made" : arguments.chain.string()},
                    {"frames", frames.size()},
                    {"points", map_m.size()}};
-  json["metrics"] = quality_json(map_m);
+  json["metrics"] = map_quality_json(map_m);
   json["stems"] = result.stems.size();
   json["corrections"] = result.corrections;
   json["icp_calls"] = result.icp_calls;
@@ -146,7 +97,7 @@ SlamJson summary_of(const SlamArguments& arguments, const std::vector<SparseFram
                                {"share", match.share},
                                {"error_m", match.error_m}});
   }
-  json["frames"] = status_json(frames, result);
+  json["frames"] = frame_status_json(frames, result.frames);
   double total_s = 0.0;
   for (const StageTime& time : result.times) {
     json["times_s"][time.stage] = time.seconds;
@@ -156,30 +107,11 @@ SlamJson summary_of(const SlamArguments& arguments, const std::vector<SparseFram
   return json;
 }
 
-std::string stems_csv(const SlamResult& result) {
-  std::string text = "x_m,y_m,z_m,observations,rmse_m\n";
-  for (const MapStem& stem : result.stems) {
-    const Eigen::Vector3d& p = stem.position_in_first_m;
-    for (const double value : {p.x(), p.y(), p.z()}) text.append(exact_text(value)).append(",");
-    text.append(std::to_string(stem.observations)).append(",");
-    text.append(exact_text(stem.rmse_m)).append("\n");
-  }
-  return text;
-}
-
-std::vector<TimedPose> timed_poses(const std::vector<SparseFrame>& frames,
-                                   const SlamResult& result) {
-  std::vector<TimedPose> poses;
-  for (std::size_t l = 0; l < frames.size(); ++l) {
-    poses.push_back({static_cast<double>(frames[l].number), result.T_first_frame[l]});
-  }
-  return poses;
-}
-
 }  // namespace
 
 int slam_verb(const SlamArguments& arguments) {
   check_method(arguments.method);
+  if (!arguments.vehicles.empty()) return slam_fleet(arguments);
   OutputFolder folder(arguments.out);
   const Context context(1, 0);
   std::vector<SparseFrame> frames = read_frames_csv(arguments.frames);
@@ -188,11 +120,12 @@ int slam_verb(const SlamArguments& arguments) {
 
   SlamSettings settings;
   settings.method = arguments.method;
+  settings.pairs.propose = arguments.propose;
   const SlamResult result = run_located(arguments, frames, chain, settings);
 
   const SlamJson summary = summary_of(arguments, frames, result, context);
-  write_tum(folder.path() / "trajectory.tum", timed_poses(frames, result));
-  write_file_safely(folder.path() / "stems.csv", stems_csv(result));
+  write_tum(folder.path() / "trajectory.tum", frame_poses_in_time(frames, result.T_first_frame));
+  write_file_safely(folder.path() / "stems.csv", map_stems_csv(result.stems));
   write_file_safely(folder.path() / "summary.json", summary.dump(2) + "\n");
   folder.commit();
   fmt::print("{}: {} frames ({} not placed), {} stems, {} corrections, blur {:.4f}, {:.2f} s\n",

@@ -100,6 +100,40 @@ TEST_CASE("slam: without a chain one is made; twice the same input gives the sam
   }
 }
 
+TEST_CASE("slam: two vehicles that began apart come into one map") {
+  const TemporaryFolder folder;
+  // The second half of the drive as another vehicle, which knows only its own first frame.
+  const auto frames = honka::eval::read_frames_csv(kFirstFrames);
+  Words first = {"frame,x_m,y_m,z_m"}, second = first;
+  for (const auto& frame : frames) {
+    for (const Eigen::Vector3d& p : frame.points_m) {
+      const std::string row = std::to_string(frame.number) + "," + std::to_string(p.x()) + "," +
+                              std::to_string(p.y()) + "," + std::to_string(p.z());
+      if (frame.number < 70) first.push_back(row);
+      if (frame.number >= 50) second.push_back(row);
+    }
+  }
+  write_lines(folder.path() / "first.csv", first);
+  write_lines(folder.path() / "second.csv", second);
+  const auto outcome =
+      run_honka({"slam", "first.csv", "--vehicle", "second.csv", "--out", "map"}, folder.path());
+  INFO(outcome.err);
+  REQUIRE(outcome.exit_code == 0);
+  const Json summary = read_json(folder.path() / "map/summary.json");
+  REQUIRE(summary["vehicles"].size() == 2);
+  CHECK(summary["vehicles"][1]["joined"] == true);
+  CHECK(summary["vehicles"][1]["joins"].get<int>() >= 2);
+  const auto one = honka::eval::read_tum(folder.path() / "map/trajectory.tum");
+  const auto two = honka::eval::read_tum(folder.path() / "map/trajectory_2.tum");
+  REQUIRE(one.size() == 70);
+  REQUIRE(two.size() == 70);
+  // Both saw frames 50 to 69: the same places in one map.
+  for (std::size_t l = 0; l < 20; ++l) {
+    const Pose3 off = one[50 + l].pose.inverse() * two[l].pose;
+    CHECK(off.translation().norm() < 0.05);
+  }
+}
+
 TEST_CASE("slam: gaps in frame numbers, other columns and frames of few stems are answered") {
   const TemporaryFolder folder;
   Words lines = {"id,z,frame,y,x", "# a comment"};
@@ -141,6 +175,7 @@ TEST_CASE("slam: bad input is one located line and exit code 2") {
   refused(frames({"frame,x_m,y_m,z_m"}), {"frames.csv", "no stems"});
   refused(frames({}), {"frames.csv", "empty"});
   refused({"absent.csv", "--out", "map"}, {"absent.csv"});
+  refused({kFirstFrames, "--out", "map", "--vehicle", "absent.csv"}, {"absent.csv"});
   refused({kFirstFrames, "--out", "map", "--method", "pose_grap"}, {"pose_graph", "did you mean"});
   write_lines(folder.path() / "chain.csv", {"1 0 0 0 0 1 0 0 0 0 1 0"});
   auto with_chain = frames(good);
