@@ -11,7 +11,7 @@ namespace honka {
 namespace {
 
 constexpr double kVoteCell_m = 1.0;
-constexpr std::size_t kMostStems = 60;    // of the frame, around its middle
+constexpr std::size_t kMostStems = 36;    // of the frame, around its middle
 constexpr std::size_t kMostPeaks = 1000;  // chance peaks of 14 stems on 2,200 outnumber the true
 constexpr std::size_t kMostCells = 1 << 22;
 

@@ -15,6 +15,9 @@ void describe(SettingsVisitor& v, ConsensusSettings& s) {
   v.field({"accept_nats", "nats", "evidence over chance and over the runner-up to be accepted",
            "choice: odds of a million to one"},
           s.accept_nats, Range{0.0, 1e4});
+  v.field({"least_share", "", "more than this share of the local stems must have partners",
+           "choice: a frame mostly beside the map is not in the map"},
+          s.least_share, Range{0.0, 1.0});
   v.field(
       {"exhaustive_votes", "", "votes that the search of all turns and shifts may cost; 0 is off",
        "choice: about 50 ms"},
