@@ -64,7 +64,7 @@ class GroupSearch {
     if (three[2] >= around.size()) return;
     std::array<std::uint32_t, 3> others{around[three[0]], around[three[1]], around[three[2]]};
     sort_around(frame_.stems_m, base, others);
-    const double tolerance = 3.5 * judge_.settings().stem_sigma_m;
+    const double tolerance = 3.0 * judge_.settings().stem_sigma_m;
     heard_.clear();
     for (std::size_t turn = 0; turn < 3; ++turn) {
       const StemGroup g = turned({base, others[0], others[1], others[2]}, turn);
