@@ -32,7 +32,7 @@ stands.steep.run = false
 )";
 }
 
-void check_row(const Json& row) {
+void check_odometry_row(const Json& row) {
   for (const std::string key :
        {"stand", "odometry", "drift_percent", "drift_deg_per_m", "real_time_factor", "lost"}) {
     CHECK(row.contains(key));
@@ -59,7 +59,7 @@ TEST_CASE(
   const Json summary = read_json(folder / "out/summary.json");
   const Json& rows = summary["tables"]["stands"]["rows"];
   REQUIRE(rows.size() == 4);
-  for (const Json& row : rows) check_row(row);
+  for (const Json& row : rows) check_odometry_row(row);
   CHECK(rows[0]["stand"] == "default");
   CHECK(rows[2]["stand"] == "dense");
   const auto trials = honka::eval::read_table(folder / "out/trials.h5", "trials");

@@ -56,7 +56,7 @@ void check_summary(const Json& summary) {
   }
 }
 
-void check_row(const Json& row) {
+void check_results_row(const Json& row) {
   for (const std::string key : {"frames", "trunks", "matching_triangles", "success_rate", "map"}) {
     CHECK(row.contains(key));
   }
@@ -77,7 +77,7 @@ void check_row(const Json& row) {
 void check_table1(const Json& table) {
   const Json& rows = table["rows"];
   REQUIRE(rows.size() == 4);
-  for (const Json& row : rows) check_row(row);
+  for (const Json& row : rows) check_results_row(row);
   for (std::size_t i : {0, 1}) {
     CHECK(rows[i]["map"] == "prior_run");
     CHECK(rows[i]["variant"] == "default");
