@@ -48,7 +48,7 @@ struct RegisterArguments {
 };
 
 struct SlamArguments {
-  std::filesystem::path frames, chain, out;  ///< chain empty: it is made
+  std::filesystem::path frames, chain, out;     ///< chain empty: it is made
   std::vector<std::filesystem::path> vehicles;  ///< frames of other vehicles on the same site
   std::string method = "landmark_ba";
   bool propose = false;  ///< also pairs that the poses do not show

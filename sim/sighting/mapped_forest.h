@@ -28,7 +28,8 @@ struct MappedForest {
 };
 
 /// `mapping.stems` trees by a spacing process at a density, in a square about the origin, and their
-/// map; more than 10,000 in tiles of at most so many. The digits depend on (settings, seed) alone. UserError when the trees do not fit.
+/// map; more than 10,000 in tiles of at most so many. The digits depend on (settings, seed) alone.
+/// UserError when the trees do not fit.
 [[nodiscard]] std::unique_ptr<MappedForest> make_mapped_forest(const SpacingSettings& spacing,
                                                                double density_per_ha,
                                                                const MappingSettings& mapping,

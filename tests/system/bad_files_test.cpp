@@ -47,11 +47,13 @@ TEST_CASE("bad stem lists are refused with file, line and column") {
     }
   };
   refused("", {"stems.csv: empty", "x_m,y_m"});
-  refused("x_m,y_m\n", {"stems.csv:1:1: ", "no stems"});
   refused("x_m,y_m\n1,2\n3,nan\n", {"stems.csv:3:3: ", "'y_m'", "not finite"});
   refused("x_m,y_m\n1,two\n", {"stems.csv:2:3: ", "'y_m'", "two"});
   refused("x_m,y_m\n1\n", {"stems.csv:2:1: "});
   refused("east,north\n1,2\n", {"stems.csv:1:1: ", "no column 'x_m'"});
+  write_raw(folder / "stems.csv", "x_m,y_m\n");  // a map; a sensor that saw none is answered
+  check_refused(run_honka({"locate", "stems.csv", kCases + "exact_n1_k12.csv"}, folder.path()),
+                {"stems.csv:1:1: ", "no stems"});
   check_refused(run_honka({"locate", "none.csv", "stems.csv"}, folder.path()),
                 {"none.csv: no such file"});
   CHECK(folder.entries() == 1);

@@ -42,8 +42,4 @@ struct TriangleVote {
 [[nodiscard]] Pose2 fit_planar(std::span<const Eigen::Vector2d> target_m,
                                std::span<const Eigen::Vector2d> source_m);
 
-/// The middles of the places in pose space (3°, 1 m) with the most votes, the most first, none
-/// beside another. At most `count`.
-[[nodiscard]] std::vector<Pose2> most_voted(std::span<const TriangleVote> votes, std::size_t count);
-
 }  // namespace honka

@@ -6,6 +6,7 @@
 
 #include "algo/slam/registration/landmark_triangles.h"
 #include "algo/slam/registration/share_test.h"
+#include "algo/slam/registration/vote_places.h"
 
 namespace honka {
 namespace {

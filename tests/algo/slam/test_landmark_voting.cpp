@@ -4,6 +4,7 @@
 
 #include "algo/slam/registration/landmark_triangles.h"
 #include "algo/slam/registration/landmark_voting.h"
+#include "algo/slam/registration/vote_places.h"
 #include "tests/algo/slam/registration_pairs.h"
 
 namespace {
