@@ -8,6 +8,7 @@
 #include <type_traits>
 #include <vector>
 
+#include "algo/types/large_pages.h"
 #include "algo/types/user_error.h"
 
 namespace honka {
@@ -56,7 +57,9 @@ class ByteReader {
   [[nodiscard]] std::vector<T> list() {
     const auto size = value<std::uint64_t>();
     if (size > rest_.size() / sizeof(T)) fail();
-    std::vector<T> list(size);
+    std::vector<T> list;
+    reserve_in_large_pages(list, size);
+    list.resize(size);
     const auto bytes = take(size * sizeof(T));
     if (size > 0) std::memcpy(list.data(), bytes.data(), bytes.size());
     return list;

@@ -73,9 +73,21 @@ class GroupSearch {
       // the second here.
       if (shape.legs_m[0] + tolerance < std::max(shape.legs_m[1], shape.legs_m[2])) continue;
       judge_.index().groups().find(shape, tolerance, found_);
-      for (const std::uint32_t id : found_) hear_pairing(g, id);
+      hear_found(g);
     }
     refine_heard();
+  }
+
+  void hear_found(const StemGroup& local) {
+    constexpr std::size_t kRowsAhead = 16;
+    constexpr std::size_t kStemsAhead = 8;
+    const GroupTable& groups = judge_.index().groups();
+    const StemGrid& grid = judge_.index().grid();
+    for (std::size_t k = 0; k < found_.size(); ++k) {
+      if (k + kRowsAhead < found_.size()) groups.fetch_row(grid, found_[k + kRowsAhead]);
+      if (k + kStemsAhead < found_.size()) groups.fetch_stems(grid, found_[k + kStemsAhead]);
+      hear_pairing(local, found_[k]);
+    }
   }
 
   void hear_pairing(const StemGroup& local, std::uint32_t id) {

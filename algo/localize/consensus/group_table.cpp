@@ -5,13 +5,14 @@
 #include <cmath>
 #include <numbers>
 
+#include "algo/types/large_pages.h"
 #include "algo/types/random.h"
 
 namespace honka {
 namespace {
 
 constexpr double kReach_m = 30.0;  // neighbours farther apart are never seen in one frame
-constexpr std::size_t kCombinations = 35;
+constexpr std::size_t kCombinations = GroupTable::kCombinations;
 
 using Combination = std::array<std::uint8_t, 3>;
 
@@ -27,6 +28,7 @@ constexpr std::array<Combination, kCombinations> kThreeOfSeven = [] {
   return all;
 }();
 
+constexpr std::size_t kBatch = 64;  // groups whose places in the table are looked up together
 constexpr double kBin_m = 0.5;
 constexpr std::uint64_t kSideBySide = 8;  // bins of the last distance that one hash covers
 
@@ -145,15 +147,34 @@ void GroupTable::for_each_group(const StemGrid& grid, F&& f) const {
 
 void GroupTable::sort_groups(const StemGrid& grid) {
   bucket_mask_ = std::bit_ceil(std::max(near_.size() * kCombinations, kSideBySide)) - 1;
+  reserve_in_large_pages(starts_, bucket_mask_ + 2);
   starts_.assign(bucket_mask_ + 2, 0);
-  const auto bucket = [&](const GroupShape& shape) { return bucket_of(bins_of(shape, 0.0)); };
-  for_each_group(grid, [&](std::uint32_t, const GroupShape& s) { ++starts_[bucket(s)]; });
+  // The buckets of a batch are asked of the memory together: single ones would be waited for.
+  std::vector<Sorted> batch;
+  const auto in_batches = [&](auto&& flush) {
+    for_each_group(grid, [&](std::uint32_t id, const GroupShape& shape) {
+      batch.push_back({bucket_of(bins_of(shape, 0.0)), {id, fingerprint(shape, 0.0)}});
+      __builtin_prefetch(&starts_[batch.back().place], 1);
+      if (batch.size() < kBatch) return;
+      flush();
+      batch.clear();
+    });
+    flush();
+    batch.clear();
+  };
+  in_batches([&] {
+    for (const Sorted& one : batch) ++starts_[one.place];
+  });
   for (std::size_t b = 1; b < starts_.size(); ++b) starts_[b] += starts_[b - 1];
-  // Each start moves from the end of its bucket to the front while that is
-  // filled.
+  // Each start moves from the end of its bucket to the front while that is filled.
+  reserve_in_large_pages(entries_, starts_.back());
   entries_.resize(starts_.back());
-  for_each_group(grid, [&](std::uint32_t id, const GroupShape& s) {
-    entries_[--starts_[bucket(s)]] = {id, fingerprint(s, 0.0)};
+  in_batches([&] {
+    for (Sorted& one : batch) {
+      one.place = --starts_[one.place];
+      __builtin_prefetch(&entries_[one.place], 1);
+    }
+    for (const Sorted& one : batch) entries_[one.place] = one.entry;
   });
 }
 

@@ -20,6 +20,7 @@ namespace honka {
 class GroupTable {
  public:
   static constexpr std::size_t kNear = 7;  ///< of 30 % missed stems, three of five still have these
+  static constexpr std::size_t kCombinations = 35;  ///< three of seven
   static constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
   using NearStems = std::array<std::uint32_t, kNear>;  ///< counter-clockwise; kNone at the end
 
@@ -36,6 +37,17 @@ class GroupTable {
   /// Ids of groups whose five distances may all be within the tolerance; and
   /// some others.
   void find(const GroupShape& shape, double tolerance_m, std::vector<std::uint32_t>& found) const;
+  /// Asks the memory for what `group` needs of an id: first its row, then (when that has come) its
+  /// stems. Of a large map neither is in the cache, and single requests are waited for.
+  void fetch_row(const StemGrid& grid, std::uint32_t id) const {
+    __builtin_prefetch(&near_[id / kCombinations]);
+    __builtin_prefetch(&grid.stems()[id / kCombinations]);
+  }
+  void fetch_stems(const StemGrid& grid, std::uint32_t id) const {
+    for (const std::uint32_t stem : near_[id / kCombinations]) {
+      if (stem != kNone) __builtin_prefetch(&grid.stems()[stem]);
+    }
+  }
   /// The group of an id, from its longest leg on.
   [[nodiscard]] StemGroup group(const StemGrid& grid, std::uint32_t id) const;
   /// Stems per m² around a stem, at least those of the whole map.
@@ -46,6 +58,10 @@ class GroupTable {
   struct Entry {
     std::uint32_t group = 0;        ///< stem × 35 + combination
     std::uint32_t fingerprint = 0;  ///< finer distances, so that few groups need their stems
+  };
+  struct Sorted {
+    std::size_t place = 0;  ///< its bucket, then its place in entries_
+    Entry entry;
   };
   void find_neighbours(const StemGrid& grid);
   void sort_groups(const StemGrid& grid);

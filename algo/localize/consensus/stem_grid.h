@@ -66,9 +66,12 @@ class StemGrid {
   [[nodiscard]] static std::int64_t cell_of(double coordinate_m) {
     return static_cast<std::int64_t>(coordinate_m * (1.0 / kCell_m) + 0x1p40);
   }
+  /// Cells of a block of 8 × 8 lie side by side, so that the stems around a place share few lines
+  /// of memory.
   [[nodiscard]] std::size_t slot(std::int64_t x, std::int64_t y) const {
-    return (static_cast<std::size_t>(y) & mask_y_) << bits_x_ |
-           (static_cast<std::size_t>(x) & mask_x_);
+    const std::size_t column = static_cast<std::size_t>(x) & mask_x_;
+    const std::size_t row = static_cast<std::size_t>(y) & mask_y_;
+    return ((row >> 3U) << (bits_x_ - 3U) | column >> 3U) << 6U | (row & 7U) << 3U | (column & 7U);
   }
   void choose_torus();
   void sort_by_slot();
