@@ -29,7 +29,7 @@ std::string range_text(const char* axis, const SlamRange& range) {
 
 void draw_map_panel(Figure& figure, const SlamMapPanel& panel) {
   constexpr std::size_t kMost = 120000;
-  figure << "set label 1 " + gnuplot_text(panel.label) + " at graph 0.01,0.95 front font ',12'";
+  figure << "set title " + gnuplot_text(panel.label) + " font ',12'";
   const std::string points = figure.data(panel.label + ": registrations, x y z",
                                          columns_of(thinned(panel.points_m, kMost)));
   const std::string path = figure.data(panel.label + ": path, x y", panel.path_m);
