@@ -105,10 +105,16 @@ TEST_CASE("consensus: a prior elsewhere refuses, a wide one does not matter") {
 }
 
 TEST_CASE("consensus: the reference cases, with no setting of their own") {
-  const auto folder = shared_cases().value_or(own_cases());
+  const auto folder = shared_cases();
+  if (!folder) {
+    WARN("skipped: shared/data/localization_cases is not here");
+    return;
+  }
   for (const std::string set : {"exact", "easy"}) {
-    const ConsensusMatcher matcher = consensus_of(read_stems(folder / set / "map.csv"));
-    for (const auto& one : read_json(folder / ("cases_" + set + ".json"))["cases"]) {
+    const ConsensusMatcher matcher = consensus_of(read_stems(*folder / set / "map.csv"));
+    const auto cases = read_json(*folder / ("cases_" + set + ".json"));
+    REQUIRE(cases["cases"].size() == 52);
+    for (const auto& one : cases["cases"]) {
       Stems stems;
       for (const auto& p : one["stems"]) stems.emplace_back(p[0].get<double>(), p[1].get<double>());
       const auto answer = matcher.locate(stems);
