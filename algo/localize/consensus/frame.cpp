@@ -10,14 +10,18 @@
 
 namespace honka {
 
+void check_finite(std::span<const Eigen::Vector2d> stems_m) {
+  for (std::size_t i = 0; i < stems_m.size(); ++i) {
+    if (stems_m[i].allFinite()) continue;
+    throw UserError(fmt::format("point {} of {} is not finite; remove it or mend its line", i + 1,
+                                stems_m.size()));
+  }
+}
+
 LocalFrame make_frame(std::span<const Eigen::Vector2d> stems_in_local_m) {
+  check_finite(stems_in_local_m);
   LocalFrame frame;
   frame.stems_m.assign(stems_in_local_m.begin(), stems_in_local_m.end());
-  for (std::size_t i = 0; i < frame.stems_m.size(); ++i) {
-    if (frame.stems_m[i].allFinite()) continue;
-    throw UserError(fmt::format("point {} of {} is not finite; remove it or mend its line", i + 1,
-                                frame.stems_m.size()));
-  }
   const auto by_place = [](const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
     return std::pair(a.x(), a.y()) < std::pair(b.x(), b.y());
   };

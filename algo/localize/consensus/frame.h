@@ -7,6 +7,9 @@
 
 namespace honka {
 
+/// Throws UserError that names the first coordinate not finite.
+void check_finite(std::span<const Eigen::Vector2d> stems_m);
+
 /// The local stems about their middle, distinct, from the middle outwards: an
 /// order that no order of the list and no motion of the frame changes.
 struct LocalFrame {

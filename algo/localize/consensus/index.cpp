@@ -6,6 +6,7 @@
 #include <cmath>
 #include <utility>
 
+#include "algo/localize/consensus/frame.h"
 #include "algo/types/random.h"
 #include "algo/types/user_error.h"
 
@@ -13,14 +14,6 @@ namespace honka {
 namespace {
 
 using Points = std::vector<Eigen::Vector2d>;
-
-void check_map(std::span<const Eigen::Vector2d> stems) {
-  for (std::size_t i = 0; i < stems.size(); ++i) {
-    if (stems[i].allFinite()) continue;
-    throw UserError(fmt::format("point {} of {} is not finite; remove it or mend its line", i + 1,
-                                stems.size()));
-  }
-}
 
 /// Whole metres near the middle.
 Eigen::Vector2d whole_middle(std::span<const Eigen::Vector2d> stems) {
@@ -49,7 +42,7 @@ std::uint64_t map_hash(std::span<const Eigen::Vector2d> stems_in_map_m) {
 
 ConsensusIndex::ConsensusIndex(std::span<const Eigen::Vector2d> stems_in_map_m)
     : hash_(map_hash(stems_in_map_m)) {
-  check_map(stems_in_map_m);
+  check_finite(stems_in_map_m);
   centre_m_ = whole_middle(stems_in_map_m);
   grid_ = StemGrid(centred(stems_in_map_m, centre_m_));
   if (grid_.stems().size() < 3) {

@@ -45,7 +45,8 @@ std::vector<std::vector<Eigen::Vector3d>> find_stems(const std::vector<EdgeFrame
   return stems;
 }
 
-/// Appends key frames as the cloud gets them, in odometry's and the world's frames for now.
+/// Appends key frames as the cloud gets them; their poses are still in the odometry's and the
+/// world's frames.
 void append_frames(const std::vector<EdgeFrame>& frames,
                    std::vector<std::vector<Eigen::Vector3d>> stems, const sim::Vehicle& vehicle,
                    SlamDrive& drive) {
