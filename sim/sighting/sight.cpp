@@ -59,8 +59,10 @@ ListShares shares_of(std::size_t seen, const SightingSettings& settings) {
 Eigen::Vector2d measured(const SeenTree& seen, const SightingSettings& settings, std::uint64_t seed,
                          std::uint64_t query) {
   RandomStream stream(seed, "sighting_noise", {query, static_cast<std::uint64_t>(seen.tree)});
-  const Eigen::Vector2d error_m(stream.normal(0.0, settings.noise_m),
-                                stream.normal(0.0, settings.noise_m));
+  // One after the other: the order of arguments is the compiler's.
+  const double y_error_m = stream.normal(0.0, settings.noise_m);
+  const double x_error_m = stream.normal(0.0, settings.noise_m);
+  const Eigen::Vector2d error_m(x_error_m, y_error_m);
   const double scale = 1.0 - settings.radial_bias_m / std::max(seen.distance_m, 1e-9);
   return scale * seen.place_in_sensor_m + error_m;
 }
