@@ -76,11 +76,10 @@ std::vector<MapUpdater::InView> MapUpdater::landmarks_in_view(const Pose2& T_map
 bool MapUpdater::add_view(const Pose2& T_map_local,
                           const std::vector<Eigen::Vector2d>& stems_in_local_m) {
   const Eigen::Vector2d& place_m = T_map_local.translation_m;
-  if (!counted_from_m_.empty() &&
-      (place_m - counted_from_m_.back()).norm() < settings_.view_spacing_m) {
+  if (counted_from_m_ && (place_m - *counted_from_m_).norm() < settings_.view_spacing_m) {
     return false;
   }
-  counted_from_m_ = {place_m};
+  counted_from_m_ = place_m;
   // Each seen stem is that of the nearest landmark, or a new one; all in view are expected.
   std::vector<std::uint8_t> seen(landmarks_.size(), 0);
   const auto in_view = landmarks_in_view(T_map_local);

@@ -3,6 +3,7 @@
 #include <Eigen/Core>
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "algo/types/pose.h"
@@ -66,7 +67,7 @@ class MapUpdater {
 
   MapUpdateSettings settings_;
   std::vector<MapLandmark> landmarks_;
-  std::vector<Eigen::Vector2d> counted_from_m_;  ///< the last view, at most one
+  std::optional<Eigen::Vector2d> counted_from_m_;  ///< of the last view that counted
 };
 
 }  // namespace honka
