@@ -46,6 +46,7 @@ void describe(SettingsVisitor& v, Scenario& s) {
   v.group("options", [&] { describe(v, s.options); });
   v.group("sighting", [&] { describe(v, s.sighting); });
   v.group("pairs", [&] { describe(v, s.pairs); });
+  v.group("study", [&] { describe(v, s.study); });
 }
 
 namespace {
@@ -103,14 +104,17 @@ StemMap read_measured(const ResolvedScenario& resolved) {
   }
 }
 
+/// What a scenario is called, where its data lie, and how many trials a study has or how long it
+/// waits for one does not change the results of a trial.
+bool changes_results(const std::string& key) {
+  if (key.rfind("study.", 0) == 0) return key == "study.worlds";
+  return key != "title" && key != "question" && key != "forest.stem_map" && key != "pairs.folder";
+}
+
 std::string hash_of(const Scenario& scenario) {
   std::string text;
   for (const KeyEntry& entry : list_keys(scenario)) {
-    // What a scenario is called, and where its data lie, does not change its results.
-    if (entry.key == "title" || entry.key == "question" || entry.key == "forest.stem_map" ||
-        entry.key == "pairs.folder") {
-      continue;
-    }
+    if (!changes_results(entry.key)) continue;
     text += entry.key + "=" + format_value(entry.value) + "\n";
   }
   if (scenario.measured) {
@@ -124,15 +128,21 @@ std::string hash_of(const Scenario& scenario) {
 
 }  // namespace
 
-ResolvedScenario load_scenario(const fs::path& file, const std::vector<std::string>& overrides) {
-  ResolvedScenario resolved;
-  resolved.file = file;
-  resolved.name = scenario_name(file);
+namespace {
+
+LocatedValues read_values(const fs::path& file, const std::vector<std::string>& overrides) {
   LocatedValues values = read_toml(file);
   for (const std::string& text : overrides) {
     auto [key, value] = parse_override(text);
     values[key] = std::move(value);
   }
+  return values;
+}
+
+ResolvedScenario resolve(const fs::path& file, const LocatedValues& values) {
+  ResolvedScenario resolved;
+  resolved.file = file;
+  resolved.name = scenario_name(file);
   ScenarioReader reader(values);
   Scenario& scenario = resolved.scenario;
   describe(reader, scenario);
@@ -146,12 +156,55 @@ ResolvedScenario load_scenario(const fs::path& file, const std::vector<std::stri
   return resolved;
 }
 
+}  // namespace
+
+ResolvedScenario load_scenario(const fs::path& file, const std::vector<std::string>& overrides) {
+  LocatedValues values = read_values(file, overrides);
+  std::vector<StudyAxis> axes = take_axes(values);
+  ResolvedScenario resolved = resolve(file, values);
+  resolved.scenario.study.axes = std::move(axes);
+  return resolved;
+}
+
+std::vector<StudyPoint> load_study_points(const fs::path& file,
+                                          const std::vector<std::string>& overrides) {
+  LocatedValues values = read_values(file, overrides);
+  std::vector<StudyAxis> axes = take_axes(values);
+  StudySettings study = resolve(file, values).scenario.study;
+  study.axes = std::move(axes);
+  std::vector<StudyPoint> points;
+  for (std::vector<Value>& at : study_points(study)) {
+    LocatedValues of_point = values;
+    for (std::size_t k = 0; k < at.size(); ++k) {
+      of_point[study.axes[k].key] = {at[k], study.axes[k].place, 0, 0};
+    }
+    points.push_back({std::move(at), resolve(file, of_point)});
+    points.back().resolved.scenario.study.axes = study.axes;
+  }
+  return points;
+}
+
 std::vector<KeyEntry> list_keys(const Scenario& scenario) {
   Scenario copy = scenario;
   KeyTable table;
   describe(table, copy);
   return table.entries();
 }
+
+namespace {
+
+std::string axis_line(const StudyAxis& axis) {
+  std::string text;
+  const bool words = std::holds_alternative<std::string>(axis.values.front());
+  for (const Value& value : axis.values) {
+    text += text.empty() ? "" : ", ";
+    text += words ? std::get<std::string>(value) : format_value(value);
+  }
+  const std::string list = words ? fmt::format("\"{}\"", text) : fmt::format("[{}]", text);
+  return fmt::format("{} = {}\n", axis.key, list);
+}
+
+}  // namespace
 
 std::string to_toml(const Scenario& scenario) {
   std::string text, group;
@@ -164,6 +217,8 @@ std::string to_toml(const Scenario& scenario) {
     }
     text += fmt::format("{} = {}\n", entry.key.substr(dot + 1), format_value(entry.value));
   }
+  if (scenario.study.asked_for()) text += "\n[study.vary]\n";
+  for (const StudyAxis& axis : scenario.study.axes) text += axis_line(axis);
   return text;
 }
 

@@ -19,6 +19,7 @@
 #include "eval/config/sighting_study_settings.h"
 #include "eval/config/slam_settings.h"
 #include "eval/config/stand_settings.h"
+#include "eval/config/study_settings.h"
 #include "eval/config/tracking_study_settings.h"
 #include "sim/forest/settings.h"
 #include "sim/harvester/vehicle_settings.h"
@@ -55,6 +56,7 @@ struct Scenario {
   OptionsStudySettings options;
   SightingStudySettings sighting;
   StemPairSettings pairs;
+  StudySettings study;
 
   std::optional<StemMap> measured;  ///< what forest.stem_map holds
 };
@@ -70,13 +72,26 @@ struct ResolvedScenario {
   std::string name;  ///< path under scenarios/ without .toml, or the file's stem
   std::filesystem::path file;
   Origins origins;
-  std::string hash;  ///< SHA-256 over every key with its value, and over the measured stem map
+  /// SHA-256 over every key with its value, and over the measured stem map. What does not change a
+  /// trial's results is left out: titles, folders, and how many trials a study has.
+  std::string hash;
 };
 
 /// Reads a scenario file and the overrides ("key=value") on top of it. UserError as in
 /// scenario_reader.h; also where forest.stem_map names no readable stem list.
 [[nodiscard]] ResolvedScenario load_scenario(const std::filesystem::path& file,
                                              const std::vector<std::string>& overrides = {});
+
+/// One point of a study: the scenario with one value for each of its axes.
+struct StudyPoint {
+  std::vector<Value> values;  ///< in the order of the axes
+  ResolvedScenario resolved;
+};
+
+/// The scenario of each point of a study, in order; one, without values, where nothing varies.
+/// UserError as above, with the place of the axis whose value does not fit.
+[[nodiscard]] std::vector<StudyPoint> load_study_points(
+    const std::filesystem::path& file, const std::vector<std::string>& overrides = {});
 
 /// Every key with value, unit, range, source of the default, in the order of description.
 [[nodiscard]] std::vector<KeyEntry> list_keys(const Scenario& scenario);

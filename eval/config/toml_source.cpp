@@ -46,8 +46,9 @@ void collect(const toml::table& table, const std::string& prefix, const std::str
       collect(*inner, full_key + ".", file, values);
       continue;
     }
-    values[full_key] = {value_of(node, place_of(file, node.source())),
-                        place_of(file, key.source())};
+    const toml::source_position begin = key.source().begin;
+    values[full_key] = {value_of(node, place_of(file, node.source())), place_of(file, key.source()),
+                        static_cast<int>(begin.line), static_cast<int>(begin.column)};
   }
 }
 
@@ -80,9 +81,9 @@ std::pair<std::string, LocatedValue> parse_override(const std::string& text) {
   const std::string value = text.substr(equals + 1);
   try {
     const toml::table table = toml::parse("v = " + value);
-    return {key, {value_of(*table.get("v"), place), place}};
+    return {key, {value_of(*table.get("v"), place), place, 0, 0}};
   } catch (const toml::parse_error&) {
-    return {key, {value, place}};
+    return {key, {value, place, 0, 0}};
   }
 }
 

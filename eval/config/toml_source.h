@@ -14,6 +14,7 @@ namespace honka::eval {
 struct LocatedValue {
   Value value;
   std::string place;
+  int line = 0, column = 0;  ///< of a file, from 1; 0 for a value of the command line
 };
 
 /// Keys (with their groups, dotted) and values of a scenario file.

@@ -53,6 +53,9 @@ const std::map<std::string, std::vector<std::string>>& allowed_includes() {
       {"eval/report", {"algo/", "sim/", "eval/report/", "eval/io/", "eval/metrics/"}},
       {"eval/run",
        {"algo/", "sim/", "eval/run/", "eval/config/", "eval/io/", "eval/metrics/", "eval/report/"}},
+      {"eval/study",
+       {"algo/", "sim/", "eval/study/", "eval/run/", "eval/config/", "eval/io/", "eval/metrics/",
+        "eval/report/"}},
       {"eval/cli", {"algo/", "sim/", "eval/"}},
   };
   return kAllowed;

@@ -38,22 +38,6 @@ void judge_row(SightingRow& row, const SightingCase& one, const SightingWorld& w
                     .success();
 }
 
-SightingRow ask(const Scenario& scenario, const SightingCase& one, const SightingWorld& world,
-                const TimedMatcher& timed, std::int64_t number) {
-  const SightingQuery query = make_sighting_query(scenario, one, world, number);
-  SightingRow row;
-  row.name = one.name;
-  row.query = number;
-  row.stems_in_map = static_cast<std::int64_t>(world.mapped->map_m.size());
-  row.stems = static_cast<std::int64_t>(query.list.trees.size());
-  const Stopwatch watch;
-  if (timed.matcher) row.result = timed.matcher->locate(query.list.stems_in_sensor_m);
-  row.match_ms = watch.milliseconds();
-  row.result.star_matches = {};  // only counts are kept of 1,000 answers
-  judge_row(row, one, world, query, scenario.protocol);
-  return row;
-}
-
 std::vector<std::int64_t> numbers_of(std::int64_t queries, std::int64_t trial,
                                      std::int64_t trials) {
   std::vector<std::int64_t> numbers;
@@ -87,6 +71,23 @@ SightingQuery make_sighting_query(const Scenario& scenario, const SightingCase& 
   return result;
 }
 
+SightingRow ask_sighting(const Scenario& scenario, const SightingCase& one,
+                         const SightingWorld& world, const TimedMatcher& timed,
+                         std::int64_t query_number) {
+  const SightingQuery query = make_sighting_query(scenario, one, world, query_number);
+  SightingRow row;
+  row.name = one.name;
+  row.query = query_number;
+  row.stems_in_map = static_cast<std::int64_t>(world.mapped->map_m.size());
+  row.stems = static_cast<std::int64_t>(query.list.trees.size());
+  const Stopwatch watch;
+  if (timed.matcher) row.result = timed.matcher->locate(query.list.stems_in_sensor_m);
+  row.match_ms = watch.milliseconds();
+  row.result.star_matches = {};  // only counts are kept of 1,000 answers
+  judge_row(row, one, world, query, scenario.protocol);
+  return row;
+}
+
 std::int64_t queries_of(const SightingCase& one, const std::string& method) {
   return method == "li2020" ? std::min(one.queries, one.li2020_queries) : one.queries;
 }
@@ -105,7 +106,7 @@ SightingTrial run_sighting_trial(const Scenario& scenario, const SightingCase& o
     std::vector<SightingRow> rows(numbers.size());
 #pragma omp parallel for schedule(dynamic) num_threads(threads)
     for (std::size_t i = 0; i < numbers.size(); ++i) {
-      rows[i] = ask(scenario, one, world, timed, numbers[i]);
+      rows[i] = ask_sighting(scenario, one, world, timed, numbers[i]);
       rows[i].method = method;
       rows[i].trial = trial;
 #pragma omp critical

@@ -8,6 +8,7 @@
 
 #include "eval/config/scenario.h"
 #include "eval/run/localize/sighting_rows.h"
+#include "eval/run/localize/timed_matcher.h"
 #include "sim/sighting/sight.h"
 
 namespace honka::eval {
@@ -31,6 +32,11 @@ struct SightingQuery {
 };
 [[nodiscard]] SightingQuery make_sighting_query(const Scenario& scenario, const SightingCase& one,
                                                 const SightingWorld& world, std::int64_t query);
+
+/// Asks a matcher one query and judges its answer; method and trial of the row are the caller's.
+[[nodiscard]] SightingRow ask_sighting(const Scenario& scenario, const SightingCase& one,
+                                       const SightingWorld& world, const TimedMatcher& timed,
+                                       std::int64_t query_number);
 
 /// Rows of one forest of a case by every method, in the order of methods, then queries.
 struct SightingTrial {
