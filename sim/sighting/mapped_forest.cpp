@@ -53,10 +53,15 @@ Points grow(const SpacingSettings& spacing, double density_per_ha, std::int64_t 
 void map_trees(MappedForest& forest, const MappingSettings& mapping, std::uint64_t seed) {
   for (std::size_t i = 0; i < forest.trees_m.size(); ++i) {
     RandomStream stream(seed, "mapped_tree", {i});
-    const bool mapped = stream.uniform() >= mapping.missed_share;
-    const bool felled = stream.uniform() < mapping.felled_share;
-    const Eigen::Vector2d error_m(stream.normal(0.0, mapping.noise_m),
-                                  stream.normal(0.0, mapping.noise_m));
+    const bool found = stream.uniform() >= mapping.missed_share;
+    const bool cut = stream.uniform() < mapping.felled_share;
+    // One after the other: the order of arguments is the compiler's.
+    const double y_error_m = stream.normal(0.0, mapping.noise_m);
+    const double x_error_m = stream.normal(0.0, mapping.noise_m);
+    const Eigen::Vector2d error_m(x_error_m, y_error_m);
+    const bool grown = stream.uniform() < mapping.grown_share;
+    const bool mapped = found && !grown;
+    const bool felled = cut && !grown;
     forest.in_map.push_back(mapped ? 1 : 0);
     forest.standing.push_back(felled ? 0 : 1);
     if (mapped) forest.map_m.emplace_back(forest.trees_m[i] + error_m);

@@ -30,6 +30,9 @@ void describe(SettingsVisitor& v, MappingSettings& s) {
           s.missed_share, {0, 1});
   v.field({"felled_share", "", "probability that a mapped tree has been felled since", "choice"},
           s.felled_share, {0, 1});
+  v.field({"grown_share", "", "probability that a tree has grown up since: it stands, unmapped",
+           "choice"},
+          s.grown_share, {0, 1});
 }
 
 }  // namespace honka::sim

@@ -24,6 +24,7 @@ struct MappingSettings {
   double noise_m = 0.0;
   double missed_share = 0.0;
   double felled_share = 0.0;
+  double grown_share = 0.0;
 };
 void describe(SettingsVisitor& v, MappingSettings& s);
 

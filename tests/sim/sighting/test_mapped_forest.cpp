@@ -55,6 +55,33 @@ TEST_CASE("A map lacks, moves and keeps what was asked for") {
   CHECK(std::sqrt(0.5 * squares / static_cast<double>(row)) == Approx(0.1).margin(0.003));
 }
 
+TEST_CASE("Trees that have grown up since the map was made stand and are not in it") {
+  MappingSettings mapping;
+  mapping.stems = 20000;
+  mapping.noise_m = 0.1;
+  mapping.missed_share = 0.2;
+  mapping.felled_share = 0.3;
+  const auto before = make_mapped_forest(quick_spacing("poisson"), 367.0, mapping, 3);
+  mapping.grown_share = 0.25;
+  const auto after = make_mapped_forest(quick_spacing("poisson"), 367.0, mapping, 3);
+  CHECK(share(after->in_map) == Approx(0.75 * 0.8).margin(0.01));
+  CHECK(share(after->standing) == Approx(0.75 * 0.7 + 0.25).margin(0.01));
+  // The others keep place, noise and fate.
+  std::size_t row_before = 0, row_after = 0, grown = 0;
+  for (std::size_t i = 0; i < before->trees_m.size(); ++i) {
+    REQUIRE(after->trees_m[i] == before->trees_m[i]);
+    if (after->in_map[i] != 0) {
+      CHECK(after->map_m[row_after++] == before->map_m[row_before]);
+      CHECK(after->standing[i] == before->standing[i]);
+    } else if (before->in_map[i] != 0) {
+      CHECK(after->standing[i] == 1);
+      ++grown;
+    }
+    row_before += before->in_map[i];
+  }
+  CHECK(static_cast<double>(grown) / 20000.0 == Approx(0.25 * 0.8).margin(0.01));
+}
+
 TEST_CASE("A large forest is made of tiles that differ, and is as dense at their seams") {
   MappingSettings mapping;
   mapping.stems = 45000;  // 3 x 3 tiles
