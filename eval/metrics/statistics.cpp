@@ -74,12 +74,17 @@ std::optional<double> pooled_rmse(std::span<const std::vector<double>> trials) {
 std::optional<Interval> wilson_interval(std::int64_t successes, std::int64_t trials) {
   HONKA_CHECK(successes >= 0 && successes <= trials, "more successes than trials");
   if (trials == 0) return std::nullopt;
-  const double n = static_cast<double>(trials), p = static_cast<double>(successes) / n;
+  return score_interval(static_cast<double>(successes) / static_cast<double>(trials),
+                        static_cast<double>(trials));
+}
+
+Interval score_interval(double rate, double n) {
+  HONKA_CHECK(rate >= 0.0 && rate <= 1.0 && n > 0.0, "a rate lies in [0, 1]");
   const double z2 = kNormal975 * kNormal975;
-  const double centre = (p + z2 / (2.0 * n)) / (1.0 + z2 / n);
+  const double centre = (rate + z2 / (2.0 * n)) / (1.0 + z2 / n);
   const double half =
-      kNormal975 * std::sqrt(p * (1.0 - p) / n + z2 / (4.0 * n * n)) / (1.0 + z2 / n);
-  return Interval{successes == 0 ? 0.0 : centre - half, successes == trials ? 1.0 : centre + half};
+      kNormal975 * std::sqrt(rate * (1.0 - rate) / n + z2 / (4.0 * n * n)) / (1.0 + z2 / n);
+  return {rate == 0.0 ? 0.0 : centre - half, rate == 1.0 ? 1.0 : centre + half};
 }
 
 std::optional<Interval> bootstrap_ratio(std::span<const Block> blocks,

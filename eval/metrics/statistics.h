@@ -30,6 +30,9 @@ struct Interval {
 /// Wilson's score interval of a rate, 95 %: for trials that are independent (disjoint windows).
 [[nodiscard]] std::optional<Interval> wilson_interval(std::int64_t successes, std::int64_t trials);
 
+/// The same for a rate over n trials' worth of knowledge, n > 0 not always whole.
+[[nodiscard]] Interval score_interval(double rate, double n);
+
 /// What one block (a stand, 20 m of road) adds to a ratio: errors and their number, or successes
 /// and trials.
 struct Block {
