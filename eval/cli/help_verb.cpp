@@ -22,12 +22,14 @@ First steps
 
 Verbs
   run SCENARIO         tables, figures and report into results/
+  study SCENARIO       many trials at many points; shards, resume, clusters
   simulate SCENARIO    record scans and truth (HDF5)
   locate MAP LOCAL…    the pose of each local stem list in the map
   register TARGET SOURCE          lay one sparse cloud onto another
   slam FRAMES          key frames of stems into one map: trajectory, stems, quality
   score RECORDING POSES [STEMS]   judge poses and stems made elsewhere
   evaluate TRUTH ESTIMATE         APE and RPE of a trajectory (TUM, KITTI)
+  check [NAME]         results against their references: which figures moved
   report DIR           write report.html of a results folder anew
   scenario check|show|diff FILE   read a scenario, list its keys, compare two
   help TOPIC           scenarios, experiments, formats, keys, or a verb
@@ -119,6 +121,30 @@ status     registered; unverified: too few stems within 0.35 m of another; time_
            lower_bound_m, gap_m, certified, nodes, time_ms
 )";
 
+constexpr const char* kStudy =
+    R"(honka study SCENARIO [--trials N] [--shard i/N] [--threads T] [--out DIR] [-s key=value]…
+honka study status|merge|retry-failed DIR
+honka study sbatch SCENARIO --shards N
+
+A study is a scenario with keys that vary; every combination is a point with as many trials:
+
+  [study]
+  trials = 200                    # at each point
+  worlds = 4                      # forests that they share
+  [study.vary]
+  sighting.noise_m = [0.05, 0.1, 0.2]
+  forest.spacing.process = "strauss, rows"    # texts: words
+
+Trials of one number share forest, place and noise draws at every point and for every method.
+--trials   more than before adds to what is there; --shard 2/7 runs the third part of seven
+DIR        shards/ (each trial on disk as it ends), then summary.json, trials.h5, report.html
+
+Whatever ends a study (Ctrl-C, kill -9, a full disk), the same command goes on from there. A trial
+that throws, crashes, hangs past study.time_limit_s or runs out of memory is a row with its cause.
+The digits are the same for any threads, shards and order.
+One trial alone: honka run SCENARIO -s KEY=VALUE --trial N
+)";
+
 constexpr const char* kEvaluate =
     R"(honka evaluate TRUTH ESTIMATE [--format tum|kitti] [--align none|origin|yaw|se2|se3|sim3]
                [--max-time-difference 0.02] [--delta 1s|10m|1f] [--all-pairs] [--json]
@@ -136,6 +162,22 @@ RPE       the same between motions over --delta. Seconds: from every pose to the
           both translation_m, rotation_deg {rmse, mean, median, std, min, max, sse}; std over n.
 --plot    trajectory.svg (from above, aligned), ape.svg and rpe.svg (errors over time) into DIR,
           each with the NAME.gp and NAME.dat that redraw it.
+)";
+
+constexpr const char* kCheck =
+    R"(honka check [NAME]… [--run] [--threads N]
+honka check --accept NAME --why TEXT
+
+Holds results/NAME/ against results/reference/NAME.csv: each figure must lie within its tolerance.
+NAME is a scenario's path under scenarios/, or a folder of them; left out: every reference.
+exit 0  all figures within; "same digits" where the digest is the reference's, too
+exit 1  some outside: listed with reference, tolerance and what they are now
+exit 2  no results of this scenario; the line says which command makes them
+--run     makes results first that are missing, or of another build of honka than this one
+--accept  the results become the reference, with commit, date and reason. Results of a honka with
+          changes that are not committed, or of a scenario with keys on top, are refused.
+Tolerances come from the figures' own 95 % intervals where they have one; times are never compared.
+Trajectories (rows "trajectory") are judged by the truth stored in results/reference/trajectories.
 )";
 
 void print_experiments() {
@@ -162,6 +204,7 @@ int help_verb(const std::string& topic) {
       {"run", kScenarios},     {"formats", kFormats},     {"simulate", kFormats},
       {"report", kFormats},    {"score", kFormats},       {"locate", kLocate},
       {"evaluate", kEvaluate}, {"register", kRegister},   {"slam", kSlam},
+      {"check", kCheck},       {"study", kStudy},
   };
   if (topic == "experiments") {
     print_experiments();

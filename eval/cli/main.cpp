@@ -5,6 +5,7 @@
 
 #include "algo/slam/registration/register.h"
 #include "algo/types/user_error.h"
+#include "eval/cli/study_verb.h"
 #include "eval/cli/verbs.h"
 #include "eval/io/interruption.h"
 
@@ -112,6 +113,17 @@ void add_evaluate(CLI::App& app, EvaluateArguments& arguments, Action& action) {
   verb.callback([&] { action = [&] { return evaluate_verb(arguments); }; });
 }
 
+void add_check(CLI::App& app, CheckArguments& arguments, Action& action) {
+  auto& verb = *app.add_subcommand("check", "hold results against their references");
+  verb.add_option("NAME", arguments.names, "scenarios or folders of them; left out: all");
+  verb.add_flag("--run", arguments.run, "first make results that are missing or of another build");
+  verb.add_option("--threads", arguments.threads, "of --run; 0: as many as there are cores")
+      ->check(CLI::Range(0, kMostThreads));
+  verb.add_option("--accept", arguments.accept, "scenario whose results become its reference");
+  verb.add_option("--why", arguments.why, "of --accept: what changed the figures");
+  verb.callback([&] { action = [&] { return check_verb(arguments); }; });
+}
+
 struct ScenarioVerbArguments {
   ScenarioArguments check, show, diff;
   std::filesystem::path other;
@@ -144,17 +156,21 @@ int parse_and_act(int argc, char** argv) {
   ScoreArguments score;
   RegisterArguments registration;
   EvaluateArguments evaluate;
+  CheckArguments check;
   ScenarioVerbArguments scenario;
+  StudyVerbArguments study;
   std::filesystem::path report_folder;
   std::string topic;
   Action action = [&] { return help_verb(""); };
   add_run(app, run, action);
+  add_study(app, study, action);
   add_simulate(app, simulate, action);
   add_locate(app, locate, action);
   add_register(app, registration, action);
   add_slam(app, slam, action);
   add_score(app, score, action);
   add_evaluate(app, evaluate, action);
+  add_check(app, check, action);
   add_scenario(app, scenario, action);
   auto& report = *app.add_subcommand("report", "write report.html of a results folder anew");
   report.add_option("DIR", report_folder, "folder of the results")->required();

@@ -69,6 +69,14 @@ struct EvaluateArguments {
   std::filesystem::path plot;  ///< folder of the figures; empty: none
 };
 
+struct CheckArguments {
+  std::vector<std::string> names;     ///< references or folders of them; empty: all
+  std::optional<std::string> accept;  ///< this scenario's results become its reference
+  std::string why;                    ///< of accept
+  bool run = false;                   ///< make results that are missing or of another build
+  int threads = 0;                    ///< of run; 0: as many as there are cores
+};
+
 /// Each verb returns the exit code of the program; the user's mistakes come as UserError.
 int run_verb(const RunArguments& arguments);
 int simulate_verb(const SimulateArguments& arguments);
@@ -77,6 +85,7 @@ int register_verb(const RegisterArguments& arguments);
 int slam_verb(const SlamArguments& arguments);
 int score_verb(const ScoreArguments& arguments);
 int evaluate_verb(const EvaluateArguments& arguments);
+int check_verb(const CheckArguments& arguments);
 int report_verb(const std::filesystem::path& folder);
 int scenario_check_verb(const ScenarioArguments& arguments);
 int scenario_show_verb(const ScenarioArguments& arguments);
