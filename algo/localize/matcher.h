@@ -76,6 +76,9 @@ struct LocateResult {
   /// Of (x, y, yaw) in the map frame, m² and rad², from the residuals of the pairs; of accepted
   /// poses, by matchers that estimate it.
   std::optional<Eigen::Matrix3d> covariance;
+  /// The listed stems lie so much nearer to the sensor than those of the map, which the pose makes
+  /// up for; 0 where none was certain.
+  double radial_bias_m = 0.0;
   double cost_m = 0.0;                  ///< Li2020 Eq. (4) at the pose
   int chosen = -1;                      ///< index into star_matches of the pose's match
   std::vector<StarMatch> star_matches;  ///< in the order of local triangles, for figures

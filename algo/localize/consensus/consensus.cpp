@@ -11,6 +11,7 @@
 #include "algo/localize/consensus/group_search.h"
 #include "algo/localize/consensus/judge.h"
 #include "algo/localize/consensus/places.h"
+#include "algo/localize/consensus/pose_estimate.h"
 #include "algo/localize/consensus/twins.h"
 #include "algo/types/user_error.h"
 
@@ -18,19 +19,6 @@ namespace honka {
 namespace {
 
 constexpr double kNarrowest_m = 0.5;  // stems nearer to a line than this tell no mirror image apart
-
-/// Of the sensor's x, y, yaw in the map frame: shift and turn are independent
-/// about the middle of the pairs, the sensor is a lever away from it.
-Eigen::Matrix3d covariance_of(const Fit& fit, const Eigen::Vector2d& sensor_in_frame_m) {
-  const double variance = fit.sigma_m * fit.sigma_m;
-  const Eigen::Vector2d arm = fit.placement.turned(sensor_in_frame_m - fit.middle_m);
-  const Eigen::Vector3d moved(-arm.y(), arm.x(),
-                              1.0);  // by a turn of one radian
-  Eigen::Matrix3d covariance = variance / fit.spread_m2 * moved * moved.transpose();
-  covariance(0, 0) += variance / fit.weight;
-  covariance(1, 1) += variance / fit.weight;
-  return covariance;
-}
 
 /// Where the sensor may be, in the index's coordinates.
 struct Allowed {
@@ -41,9 +29,10 @@ struct Allowed {
       : prior(p), sensor_in_frame_m(-frame.middle_m), position_m(Eigen::Vector2d::Zero()) {
     if (prior) position_m = prior->position_in_map_m - index.centre_m();
   }
-  [[nodiscard]] bool operator()(const Placement& p) const {
-    return !prior || (p * sensor_in_frame_m - position_m).norm() <= prior->radius_m;
+  [[nodiscard]] bool holds(const Eigen::Vector2d& sensor_m) const {
+    return !prior || (sensor_m - position_m).norm() <= prior->radius_m;
   }
+  [[nodiscard]] bool operator()(const Placement& p) const { return holds(p * sensor_in_frame_m); }
   [[nodiscard]] double area_m2(const StemGrid& grid) const {
     if (!prior) return grid.area_m2();
     return std::min(grid.area_m2(), std::numbers::pi * prior->radius_m * prior->radius_m);
@@ -90,6 +79,7 @@ ConsensusMatcher::ConsensusMatcher(std::shared_ptr<const ConsensusIndex> index,
           "consensus.accept_nats must not be negative");
   require(settings_.least_share >= 0.0 && settings_.least_share <= 1.0,
           "consensus.least_share must be from 0 to 1");
+  require(settings_.radial_bias_sds >= 0.0, "consensus.radial_bias_sds must not be negative");
   require(settings_.exhaustive_votes >= 0.0, "consensus.exhaustive_votes must not be negative");
 }
 
@@ -112,7 +102,7 @@ LocateResult ConsensusMatcher::locate(const std::vector<Eigen::Vector2d>& stems_
   result.matches = static_cast<int>(places.size());
   if (places.empty()) return result;
 
-  // The best of them, and the verdict
+  // The best of them
   constexpr int kToTheEnd = 50;
   const Fit best = judge.settle(*places.best(), kToTheEnd);
   result.inliers = result.agreeing = best.inliers;
@@ -121,12 +111,18 @@ LocateResult ConsensusMatcher::locate(const std::vector<Eigen::Vector2d>& stems_
                         best.placement.yaw_rad()};
   const double seen = static_cast<double>(frame.stems_m.size());
   const bool most_agree = best.inliers > settings_.least_share * seen;
-  if (best.evidence_nats < settings_.accept_nats || !most_agree || !allowed(best.placement)) {
-    return result;
-  }
+  if (best.evidence_nats < settings_.accept_nats || !most_agree) return result;
+
+  // Its pose, and the verdict
+  const auto estimate = estimate_pose(judge, allowed.sensor_in_frame_m, best);
+  if (!estimate || !allowed.holds(estimate->T_map_sensor.shift_m)) return result;
+  result.T_map_local = {estimate->T_map_sensor.shift_m + index_->centre_m(),
+                        estimate->T_map_sensor.yaw_rad()};
   result.verdict =
       result.margin >= settings_.accept_nats ? Verdict::kAccepted : Verdict::kAmbiguous;
-  if (result.accepted()) result.covariance = covariance_of(best, allowed.sensor_in_frame_m);
+  if (!result.accepted()) return result;
+  result.covariance = estimate->covariance;
+  result.radial_bias_m = estimate->radial_bias_m;
   return result;
 }
 

@@ -18,6 +18,11 @@ void describe(SettingsVisitor& v, ConsensusSettings& s) {
   v.field({"least_share", "", "more than this share of the local stems must have partners",
            "choice: a frame mostly beside the map is not in the map"},
           s.least_share, Range{0.0, 1.0});
+  v.field({"radial_bias_sds", "",
+           "a bias of stems along the line of sight is taken out beyond so many of its s.d.; 0: "
+           "always",
+           "choice: one unbiased frame in 400"},
+          s.radial_bias_sds, Range{0.0, 1e9});
   v.field(
       {"exhaustive_votes", "", "votes that the search of all turns and shifts may cost; 0 is off",
        "choice: about 50 ms"},

@@ -12,6 +12,8 @@ struct ConsensusSettings {
   double sigma_floor_m = 0.02;  ///< least noise that an answer may claim
   double accept_nats = 14.0;    ///< evidence over chance and over the runner-up to be accepted
   double least_share = 0.5;     ///< more than this share of the local stems must have partners
+  double radial_bias_sds =
+      3.0;  ///< a bias along the line of sight beyond so many s.d. is taken out
   double exhaustive_votes = 4.0e7;  ///< largest turn-shift-count search; 0 is off
 };
 

@@ -55,6 +55,22 @@ class StemGrid {
     return best;
   }
 
+  /// Calls `visit` with every stem within `reach_m` of a place, cell by cell.
+  template <typename Visit>
+  void within(const Eigen::Vector2d& place_m, double reach_m, const Visit& visit) const {
+    const std::int64_t x0 = cell_of(place_m.x() - reach_m);
+    const std::int64_t x1 = cell_of(place_m.x() + reach_m);
+    const std::int64_t y1 = cell_of(place_m.y() + reach_m);
+    for (std::int64_t y = cell_of(place_m.y() - reach_m); y <= y1; ++y) {
+      for (std::int64_t x = x0; x <= x1; ++x) {
+        const std::size_t c = slot(x, y);
+        for (std::uint32_t i = starts_[c]; i < starts_[c + 1]; ++i) {
+          if ((stems_[i] - place_m).squaredNorm() < reach_m * reach_m) visit(i);
+        }
+      }
+    }
+  }
+
   /// The `count` nearest other stems within `reach_m`, by distance, then by
   /// place in the order.
   void nearest_others(std::uint32_t stem, std::size_t count, double reach_m,

@@ -49,6 +49,7 @@ struct SightingSettings {
   double missed = 0.0;
   double false_share = 0.0;
   double range_m = 30.0;
+  double radial_bias_m = 0.0;  ///< true stems are listed so much too near
 };
 
 struct Sighting {
@@ -72,8 +73,9 @@ inline Sighting sight(const Stems& map, const SightingSettings& s, std::uint64_t
     const Eigen::Vector2d q = seen.T_map_local.inverse() * p;
     if (q.norm() > s.range_m || std::abs(std::atan2(q.y(), q.x())) > half_view) continue;
     if (stream.uniform() < s.missed) continue;
+    const Eigen::Vector2d listed = q * (1.0 - s.radial_bias_m / q.norm());
     const double dx = stream.normal(0.0, s.noise_m);
-    seen.stems.emplace_back(q.x() + dx, q.y() + stream.normal(0.0, s.noise_m));
+    seen.stems.emplace_back(listed.x() + dx, listed.y() + stream.normal(0.0, s.noise_m));
   }
   const double per_true = s.false_share / (1.0 - s.false_share);
   const auto count = static_cast<int>(per_true * static_cast<double>(seen.stems.size()));
