@@ -4,6 +4,7 @@
 #include <thread>
 
 #include "algo/types/user_error.h"
+#include "eval/cli/study_verb.h"
 #include "eval/cli/verbs.h"
 #include "eval/config/located_error.h"
 #include "eval/config/scenario.h"
@@ -41,6 +42,7 @@ auto with_located_errors(const ResolvedScenario& resolved, Work work) {
 int run_verb(const RunArguments& arguments) {
   RunRequest request;
   request.resolved = load_scenario(arguments.scenario, arguments.all_overrides());
+  if (request.resolved.scenario.study.asked_for()) return study_trial_verb(arguments);
   request.threads = thread_count(arguments.threads);
   request.trial = arguments.trial;
   request.out = arguments.out.empty() ? "results" / std::filesystem::path(request.resolved.name)

@@ -6,6 +6,7 @@
 #include "eval/cli/verbs.h"
 #include "eval/config/scenario.h"
 #include "eval/run/experiment.h"
+#include "eval/study/study.h"
 
 namespace honka::eval {
 namespace {
@@ -37,9 +38,16 @@ std::vector<std::string> ScenarioArguments::all_overrides() const {
 
 int scenario_check_verb(const ScenarioArguments& arguments) {
   const ResolvedScenario resolved = load(arguments);
-  fmt::print("{}: well formed; {} keys set, hash {}\nRun it: honka run {}\n",
-             arguments.scenario.string(), resolved.origins.size(), resolved.hash.substr(0, 12),
-             arguments.scenario.string());
+  const std::string file = arguments.scenario.string();
+  fmt::print("{}: well formed; {} keys set, hash {}\n", file, resolved.origins.size(),
+             resolved.hash.substr(0, 12));
+  if (!resolved.scenario.study.asked_for()) {
+    fmt::print("Run it: honka run {}\n", file);
+    return 0;
+  }
+  const Study study = load_study(arguments.scenario, arguments.all_overrides());
+  fmt::print("A study: {} points, {} trials each\nRun it: honka study {}\n", study.points.size(),
+             study.trials, file);
   return 0;
 }
 

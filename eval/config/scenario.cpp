@@ -160,18 +160,21 @@ ResolvedScenario resolve(const fs::path& file, const LocatedValues& values) {
 
 ResolvedScenario load_scenario(const fs::path& file, const std::vector<std::string>& overrides) {
   LocatedValues values = read_values(file, overrides);
-  std::vector<StudyAxis> axes = take_axes(values);
+  StudySettings varied;
+  take_axes(values, varied);
   ResolvedScenario resolved = resolve(file, values);
-  resolved.scenario.study.axes = std::move(axes);
+  resolved.scenario.study.axes = std::move(varied.axes);
+  resolved.scenario.study.fixed = std::move(varied.fixed);
   return resolved;
 }
 
 std::vector<StudyPoint> load_study_points(const fs::path& file,
                                           const std::vector<std::string>& overrides) {
   LocatedValues values = read_values(file, overrides);
-  std::vector<StudyAxis> axes = take_axes(values);
+  StudySettings varied;
+  take_axes(values, varied);
   StudySettings study = resolve(file, values).scenario.study;
-  study.axes = std::move(axes);
+  study.axes = std::move(varied.axes);
   std::vector<StudyPoint> points;
   for (std::vector<Value>& at : study_points(study)) {
     LocatedValues of_point = values;
@@ -217,7 +220,7 @@ std::string to_toml(const Scenario& scenario) {
     }
     text += fmt::format("{} = {}\n", entry.key.substr(dot + 1), format_value(entry.value));
   }
-  if (scenario.study.asked_for()) text += "\n[study.vary]\n";
+  if (!scenario.study.axes.empty()) text += "\n[study.vary]\n";
   for (const StudyAxis& axis : scenario.study.axes) text += axis_line(axis);
   return text;
 }

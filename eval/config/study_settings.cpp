@@ -79,7 +79,7 @@ void describe(SettingsVisitor& v, StudySettings& s) {
           s.stop_half_width, {0, 0.5});
 }
 
-std::vector<StudyAxis> take_axes(LocatedValues& values) {
+void take_axes(LocatedValues& values, StudySettings& settings) {
   std::vector<std::pair<std::pair<int, int>, StudyAxis>> found;
   for (auto it = values.begin(); it != values.end();) {
     if (it->first.rfind(kVary, 0) != 0) {
@@ -92,15 +92,16 @@ std::vector<StudyAxis> take_axes(LocatedValues& values) {
                                   axis.place, axis.key));
     }
     const auto given = values.find(axis.key);
-    const bool fixed = given != values.end() && given->second.line == 0;
-    if (!fixed) found.push_back({{it->second.line, it->second.column}, std::move(axis)});
+    if (given != values.end() && given->second.line == 0) {
+      settings.fixed.push_back(axis.key);
+    } else {
+      found.push_back({{it->second.line, it->second.column}, std::move(axis)});
+    }
     it = values.erase(it);
   }
   std::stable_sort(found.begin(), found.end(),
                    [](const auto& a, const auto& b) { return a.first < b.first; });
-  std::vector<StudyAxis> axes;
-  for (auto& [place, axis] : found) axes.push_back(std::move(axis));
-  return axes;
+  for (auto& [place, axis] : found) settings.axes.push_back(std::move(axis));
 }
 
 std::vector<std::vector<Value>> study_points(const StudySettings& settings) {

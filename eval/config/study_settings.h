@@ -25,16 +25,18 @@ struct StudySettings {
   double time_limit_s = 600.0;
   std::int64_t memory_limit_mb = 0;
   double stop_half_width = 0.0;
-  std::vector<StudyAxis> axes;  ///< in the order of the file; empty: no study
+  std::vector<StudyAxis> axes;     ///< in the order of the file
+  std::vector<std::string> fixed;  ///< keys that vary in the file, set by the command line
 
-  [[nodiscard]] bool asked_for() const { return !axes.empty(); }
+  /// Whether the scenario is one of many trials at points.
+  [[nodiscard]] bool asked_for() const { return !axes.empty() || !fixed.empty(); }
 };
 void describe(SettingsVisitor& v, StudySettings& s);
 
 /// Takes `study.vary.*` out of the values of a scenario file, in the order of the file. A text may
-/// hold several words, "strauss, rows". A key that the command line sets is no axis. UserError at
-/// an empty list and at a list of lists.
-[[nodiscard]] std::vector<StudyAxis> take_axes(LocatedValues& values);
+/// hold several words, "strauss, rows". A key that the command line sets is no axis but `fixed`.
+/// UserError at an empty list.
+void take_axes(LocatedValues& values, StudySettings& settings);
 
 /// The points of a study, one value an axis: every combination ("grid", the last axis fastest), or
 /// the k-th values together ("list"). UserError where lists differ in length.

@@ -18,6 +18,9 @@ constexpr int kInterrupted = 3;
 struct UnfinishedPaths {
   std::mutex mutex;
   std::multiset<std::filesystem::path> paths;
+  std::string advice =
+      "earlier results are untouched and nothing half-written is left; give the same command to "
+      "start again";
 };
 
 /// Never destroyed: the waiting thread may outlive main.
@@ -42,10 +45,8 @@ sigset_t ending_signals() {
   for (int pass = 0; pass < 2; ++pass) {
     for (const auto& path : unfinished.paths) std::filesystem::remove_all(path, ignored);
   }
-  std::fprintf(stderr,
-               "\nhonka: stopped by %s; earlier results are untouched and nothing half-written is "
-               "left; give the same command to start again\n",
-               signal == SIGINT ? "Ctrl-C" : "SIGTERM");
+  std::fprintf(stderr, "\nhonka: stopped by %s; %s\n", signal == SIGINT ? "Ctrl-C" : "SIGTERM",
+               unfinished.advice.c_str());
   std::fflush(stderr);
   ::_exit(kInterrupted);
 }
@@ -61,6 +62,12 @@ void end_cleanly_when_interrupted() {
     while (sigwait(&signals, &signal) != 0) continue;
     end_now(signal);
   }).detach();
+}
+
+void when_interrupted_say(const std::string& advice) {
+  UnfinishedPaths& unfinished = unfinished_paths();
+  const std::lock_guard lock(unfinished.mutex);
+  unfinished.advice = advice;
 }
 
 Unfinished::Unfinished(std::filesystem::path path)

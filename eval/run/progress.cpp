@@ -38,6 +38,7 @@ void Progress::advance(std::int64_t steps) {
 }
 
 void Progress::show(bool last) {
+  if (what_.empty()) return;
   shown_ = Clock::now();
   const double elapsed_s = seconds_between(start_, shown_);
   const double rate = elapsed_s > 0 ? static_cast<double>(done_) / elapsed_s : 0.0;
@@ -48,6 +49,7 @@ void Progress::show(bool last) {
     const double left_s = static_cast<double>(total_ - done_) / rate;
     line += fmt::format(", {:.0f}/s, {} left", rate, duration_text(std::max(0.0, left_s)));
   }
+  if (!remark_.empty()) line += "; " + remark_;
   if (terminal_) {
     fmt::print(stderr, "\r\033[K{}{}", line, last ? "\n" : "");
   } else {

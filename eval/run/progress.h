@@ -7,7 +7,8 @@
 namespace honka::eval {
 
 /// Tells how far long work has come, with rate and time left: a moving line on a terminal, a plain
-/// line now and then elsewhere. Written to the error stream. Call from one thread.
+/// line now and then elsewhere. Written to the error stream; of work without a name nothing is.
+/// Call from one thread.
 class Progress {
  public:
   Progress(std::string what, std::string unit, std::int64_t total);
@@ -16,6 +17,8 @@ class Progress {
   Progress& operator=(const Progress&) = delete;
 
   void advance(std::int64_t steps = 1);
+  /// What stands at the end of the next lines, "±1.2 %".
+  void remark(std::string text) { remark_ = std::move(text); }
   /// Work that turned out to be more or less than first thought.
   void set_total(std::int64_t total) { total_ = total; }
 
@@ -23,7 +26,7 @@ class Progress {
   using Clock = std::chrono::steady_clock;
   void show(bool last);
 
-  std::string what_, unit_;
+  std::string what_, unit_, remark_;
   std::int64_t total_, done_ = 0;
   bool terminal_;
   Clock::time_point start_ = Clock::now();
