@@ -65,6 +65,10 @@ void describe(SettingsVisitor& v, ProtocolSettings& s) {
   v.field({"path_length_m", "m", "of the drive that is localized", "Li2020 2.1"}, s.path_length_m,
           {5, 5000});
   v.field(
+      {"window_frames", "",
+       "key frames in each window of a study of trials; 0: the last of protocol.frames", "choice"},
+      s.window_frames, {0, 1000});
+  v.field(
       {"windows", "", "disjoint windows a stand at most; 0 for all that the drive holds", "choice"},
       s.windows, {0, 100000});
   v.field({"windows_of", "",

@@ -53,6 +53,7 @@ void describe(SettingsVisitor& v, MapSettings& s);
 struct ProtocolSettings {
   std::vector<std::int64_t> frames = {1, 3, 5, 10};
   double path_length_m = 200.0;
+  std::int64_t window_frames = 0;
   std::int64_t windows = 0;
   std::string windows_of = "longest";
   double success_translation_m = 0.5;

@@ -14,8 +14,10 @@ namespace {
 /// Gathers the sweeps of key frames from the estimates of a drive, in the order of time.
 class KeyFrameBuilder {
  public:
-  KeyFrameBuilder(const KeyFrameSettings& settings, const sim::Vehicle& vehicle, TakeKeyFrame take)
+  KeyFrameBuilder(const KeyFrameSettings& settings, const KeyFrameChoice& choice,
+                  const sim::Vehicle& vehicle, TakeKeyFrame take)
       : sweeps_(static_cast<std::size_t>(settings.sweeps)),
+        choice_(choice),
         vehicle_(vehicle),
         selector_(settings),
         take_(std::move(take)) {}
@@ -25,7 +27,9 @@ class KeyFrameBuilder {
     const bool registered = estimate.status == OdometryStatus::kRegistered ||
                             estimate.status == OdometryStatus::kDegenerate;
     if (!registered) return;
-    if (selector_.is_key_frame(estimate.T_odom_start)) open_.push_back(begin(estimate));
+    if (selector_.is_key_frame(estimate.T_odom_start) && choice_.holds(found_++)) {
+      open_.push_back(begin(estimate));
+    }
     for (Open& open : open_) {
       open.key_frame.sweeps.push_back({estimate.sweep, estimate.T_odom_start, estimate.T_odom_end});
       if (sweep != nullptr) open.scans.push_back(*sweep);
@@ -52,6 +56,8 @@ class KeyFrameBuilder {
   }
 
   std::size_t sweeps_;
+  KeyFrameChoice choice_;
+  std::size_t found_ = 0;
   const sim::Vehicle& vehicle_;
   KeyFrameSelector selector_;
   TakeKeyFrame take_;
@@ -60,9 +66,10 @@ class KeyFrameBuilder {
 
 std::vector<std::int64_t> sweeps_of_key_frames(const OdometryTrack& track,
                                                const KeyFrameSettings& settings,
+                                               const KeyFrameChoice& choice,
                                                const sim::Vehicle& vehicle) {
   std::set<std::int64_t> wanted;
-  KeyFrameBuilder builder(settings, vehicle, [&](const KeyFrame& key_frame, auto&&) {
+  KeyFrameBuilder builder(settings, choice, vehicle, [&](const KeyFrame& key_frame, auto&&) {
     for (const FrameSweep& sweep : key_frame.sweeps) wanted.insert(sweep.index);
   });
   for (const OdometryEstimate& estimate : track.estimates()) builder.add(estimate, nullptr);
@@ -71,9 +78,8 @@ std::vector<std::int64_t> sweeps_of_key_frames(const OdometryTrack& track,
 
 /// Casts what key frames need, once their poses are known.
 void scan_key_frames(const Drive& drive, const sim::LidarSimulator& lidar,
-                     const KeyFrameSettings& settings, const std::string& what, int threads,
+                     const std::vector<std::int64_t>& wanted, const std::string& what, int threads,
                      KeyFrameBuilder& builder) {
-  const auto wanted = sweeps_of_key_frames(drive.track, settings, *drive.vehicle);
   Progress progress(what, "sweeps", static_cast<std::int64_t>(wanted.size()));
   auto next = drive.track.estimates().begin();
   stream_sweeps(*drive.vehicle, lidar, wanted, threads, progress, [&](sim::TruthfulSweep&& sweep) {
@@ -108,21 +114,22 @@ std::unique_ptr<sim::Vehicle> make_vehicle(const DriveOrder& order, std::uint64_
 }
 
 Drive drive_and_scan(const DriveOrder& order, const Scenario& scenario, std::uint64_t seed,
-                     const std::string& what, int threads, const TakeKeyFrame& take) {
+                     const std::string& what, int threads, const TakeKeyFrame& take,
+                     const KeyFrameChoice& choice) {
   Drive drive;
   drive.vehicle = make_vehicle(order, seed);
   const sim::LidarSimulator& lidar = *order.stand->lidar;
   const std::int64_t sweeps = sweeps_of(*drive.vehicle, lidar.model());
   const auto odometry = make_odometry(scenario.odometry, drive.vehicle->trajectory(), lidar.model(),
                                       sweeps, derive_seed(seed, order.name));
-  KeyFrameBuilder builder(scenario.frame, *drive.vehicle,
+  KeyFrameBuilder builder(scenario.frame, choice, *drive.vehicle,
                           [&](const KeyFrame& key_frame, auto&& scans) {
                             drive.key_frames.push_back(key_frame);
                             take(key_frame, std::move(scans));
                           });
   const bool casts = odometry->needs_returns();
   {
-    Progress progress(casts ? what : what + ", poses alone", "sweeps", sweeps);
+    Progress progress(casts || what.empty() ? what : what + ", poses alone", "sweeps", sweeps);
     drive.track = drive_with_odometry(*drive.vehicle, lidar, *odometry, threads, progress,
                                       [&](DriveSweep&& s) {
                                         if (casts) builder.add(s.estimate, &s.sweep);
@@ -131,7 +138,8 @@ Drive drive_and_scan(const DriveOrder& order, const Scenario& scenario, std::uin
   if (casts) {
     drive.T_world_odom = laid_onto_world(drive.key_frames);
   } else {
-    scan_key_frames(drive, lidar, scenario.frame, what, threads, builder);
+    const auto wanted = sweeps_of_key_frames(drive.track, scenario.frame, choice, *drive.vehicle);
+    scan_key_frames(drive, lidar, wanted, what, threads, builder);
   }
   return drive;
 }

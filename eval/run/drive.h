@@ -61,12 +61,24 @@ struct DriveOrder {
 /// Takes each key frame in the order of the drive, with its sweeps and their truth.
 using TakeKeyFrame = std::function<void(const KeyFrame&, std::vector<sim::TruthfulSweep>&&)>;
 
+/// Key frames of a drive, counted from 0.
+struct KeyFrameChoice {
+  std::size_t first = 0;
+  std::size_t count = static_cast<std::size_t>(-1);  ///< all that follow
+
+  [[nodiscard]] bool holds(std::size_t number) const {
+    return number >= first && number - first < count;
+  }
+};
+
 /// Drives a path with the scenario's odometry. A lidar odometry gets every sweep as it is cast;
 /// truth+noise needs none, so the sweeps of key frames alone are cast. Sweeps that could not be
-/// registered are in no key frame. `what` leads the line of progress.
+/// registered are in no key frame. Key frames outside `choice` are left out, as if the odometry had
+/// not found them worth keeping. `what` leads the line of progress; none is shown where it is
+/// empty.
 [[nodiscard]] Drive drive_and_scan(const DriveOrder& order, const Scenario& scenario,
                                    std::uint64_t seed, const std::string& what, int threads,
-                                   const TakeKeyFrame& take);
+                                   const TakeKeyFrame& take, const KeyFrameChoice& choice = {});
 
 /// The sweeps of a key frame with their poses; points into `sweeps`.
 [[nodiscard]] std::vector<PosedSweep> posed(const KeyFrame& key_frame,

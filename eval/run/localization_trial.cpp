@@ -2,39 +2,12 @@
 
 #include <fmt/format.h>
 
-#include "eval/run/localize/source_map.h"
+#include "eval/run/mapped_run.h"
 #include "eval/run/progress.h"
 #include "eval/run/trial_row.h"
 
 namespace honka::eval {
 namespace {
-
-/// A run as the machine that drove it remembers it.
-struct MappedRun {
-  Drive drive;
-  LocalCloud cloud_in_odom;               ///< of every key frame, thinned
-  std::vector<std::vector<Sweep>> scans;  ///< one entry a key frame, where asked for
-  ScanStatistics statistics;
-};
-
-/// Drives, and gathers a map cloud while the sweeps come; keeps the scans if `keep_scans`.
-MappedRun map_run(const DriveOrder& order, const Scenario& scenario, std::uint64_t seed,
-                  const std::string& what, int threads, bool keep_scans) {
-  KeyFrameSettings mapping = scenario.frame;
-  mapping.max_range_m = scenario.map.stems.max_range_m;
-  CloudMap map(scenario.map.stems.voxel_m);
-  MappedRun run;
-  const auto gather = [&](const KeyFrame& key_frame, std::vector<sim::TruthfulSweep>&& sweeps) {
-    run.statistics.add(sweeps);
-    std::vector<Sweep> scans = scans_of(std::move(sweeps));
-    map.add(aggregate(posed(key_frame, scans), order.stand->lidar->model(), mapping,
-                      Pose3::Identity()));
-    if (keep_scans) run.scans.push_back(std::move(scans));
-  };
-  run.drive = drive_and_scan(order, scenario, seed, what, threads, gather);
-  run.cloud_in_odom = map.cloud();
-  return run;
-}
 
 /// A trunk map that some variant asks for, before it is made.
 struct MapOrder {
@@ -47,8 +20,7 @@ struct MapOrder {
 std::vector<TrunkMap> make_maps(const Scenario& scenario, const TrialWorld& world,
                                 const MappedRun& prior_run, const MappedRun& work_run,
                                 std::int64_t trial, int threads) {
-  StemSettings settings = scenario.map.stems;
-  settings.voxel_m = 0.0;  // the clouds are thinned already
+  const StemSettings settings = stems_of_thinned_cloud(scenario);
   const bool prior = scenario.map.source == "prior_run";
   const MappedRun& run = prior ? prior_run : work_run;
   std::vector<MapOrder> orders = {{scenario.map.source, &run, settings}};
@@ -64,11 +36,7 @@ std::vector<TrunkMap> make_maps(const Scenario& scenario, const TrialWorld& worl
   std::vector<TrunkMap> maps(orders.size());
 #pragma omp parallel for schedule(dynamic) num_threads(threads)
   for (std::size_t i = 0; i < orders.size(); ++i) {
-    maps[i] =
-        lists_trees(orders[i].source)
-            ? listed_trunk_map(scenario, world.when_mapped().stand, orders[i].settings, world.seed)
-            : make_trunk_map(orders[i].source, orders[i].run->cloud_in_odom, orders[i].settings,
-                             planar(orders[i].run->drive.T_world_odom));
+    maps[i] = trunk_map_of(orders[i].source, *orders[i].run, orders[i].settings, scenario, world);
 #pragma omp critical
     progress.advance();
   }

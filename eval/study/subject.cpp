@@ -4,6 +4,8 @@
 #include <fmt/ranges.h>
 
 #include "algo/types/user_error.h"
+#include "eval/study/subjects/link_subject.h"
+#include "eval/study/subjects/localization_subject.h"
 #include "eval/study/subjects/sighting_subject.h"
 
 namespace honka::eval {
@@ -11,6 +13,8 @@ namespace honka::eval {
 const std::vector<StudyKind>& study_kinds() {
   static const std::vector<StudyKind> kKinds = {
       sighting_study_kind(),
+      localization_study_kind(),
+      link_study_kind(),
   };
   return kKinds;
 }

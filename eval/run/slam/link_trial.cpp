@@ -10,11 +10,6 @@
 namespace honka::eval {
 namespace {
 
-FramePoses edge_poses_of(const SlamDrive& drive, const Scenario& scenario) {
-  if (scenario.link.edge_poses == "odometry") return drive.edge_T_first_frame;
-  return make_chain(drive.frames, scenario.slam.chain).T_first_frame;
-}
-
 LinkMapQuality floor_of(const SlamDrive& drive, const ReceivedFrames& received,
                         const SlamSettings& settings) {
   if (received.empty()) return {};
@@ -27,17 +22,6 @@ LinkMapQuality floor_of(const SlamDrive& drive, const ReceivedFrames& received,
   }
   const StemMap3 stems = build_stem_map(received.frames(), T_first_frame, settings.stem_map);
   return judge_link_map(drive, received.frames(), T_first_frame, stems.stems);
-}
-
-void map_row(const SlamDrive& drive, const ReceivedFrames& received, SlamSettings settings,
-             LinkRow& row) {
-  settings.method = row.method;
-  const auto start = std::chrono::steady_clock::now();
-  const CloudMap cloud = map_received(received, settings);
-  row.map_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-  row.status = cloud_map_status_name(cloud.status);
-  if (cloud.status != CloudMapStatus::kMapped) return;
-  row.quality = judge_link_map(drive, received.frames(), cloud.map.T_first_frame, cloud.map.stems);
 }
 
 /// Calls work(0) … work(count − 1) on so many threads; what one throws comes out at the end.
@@ -58,6 +42,26 @@ void for_each_job(std::size_t count, int threads, const Work& work) {
 
 }  // namespace
 
+FramePoses edge_poses_of(const SlamDrive& drive, const Scenario& scenario) {
+  if (scenario.link.edge_poses == "odometry") return drive.edge_T_first_frame;
+  return make_chain(drive.frames, scenario.slam.chain).T_first_frame;
+}
+
+std::uint64_t link_seed(const Scenario& scenario, std::int64_t trial) {
+  return derive_seed(scenario.seed, "link", {static_cast<std::uint64_t>(trial)});
+}
+
+void map_over_link(const SlamDrive& drive, const ReceivedFrames& received, SlamSettings settings,
+                   LinkRow& row) {
+  settings.method = row.method;
+  const auto start = std::chrono::steady_clock::now();
+  const CloudMap cloud = map_received(received, settings);
+  row.map_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  row.status = cloud_map_status_name(cloud.status);
+  if (cloud.status != CloudMapStatus::kMapped) return;
+  row.quality = judge_link_map(drive, received.frames(), cloud.map.T_first_frame, cloud.map.stems);
+}
+
 LinkTrial study_links(const SlamDrive& drive, const Scenario& scenario, std::int64_t trial,
                       int threads) {
   const LinkStudySettings& settings = scenario.link;
@@ -67,8 +71,7 @@ LinkTrial study_links(const SlamDrive& drive, const Scenario& scenario, std::int
 
   // 1. Every link carries the same messages' worth of key frames, under the same chances.
   const FramePoses edge_T_first = edge_poses_of(drive, scenario);
-  const std::uint64_t seed =
-      derive_seed(scenario.seed, "link", {static_cast<std::uint64_t>(trial)});
+  const std::uint64_t seed = link_seed(scenario, trial);
   const auto methods = settings.method_list();
   std::vector<ReceivedFrames> received;
   for (const LinkCase& link : link_cases(settings, result.need)) {
@@ -85,7 +88,7 @@ LinkTrial study_links(const SlamDrive& drive, const Scenario& scenario, std::int
                [&](std::size_t i) { floors[i] = floor_of(drive, received[i], scenario.slam); });
   for_each_job(result.rows.size(), threads, [&](std::size_t i) {
     result.rows[i].floor = floors[i / methods.size()];
-    map_row(drive, received[i / methods.size()], scenario.slam, result.rows[i]);
+    map_over_link(drive, received[i / methods.size()], scenario.slam, result.rows[i]);
   });
   return result;
 }

@@ -27,6 +27,16 @@ struct LinkRow {
   }
 };
 
+/// The poses that a drive's messages carry: link.study.edge_poses.
+[[nodiscard]] FramePoses edge_poses_of(const SlamDrive& drive, const Scenario& scenario);
+
+/// Names the chances of the links of a trial.
+[[nodiscard]] std::uint64_t link_seed(const Scenario& scenario, std::int64_t trial);
+
+/// Maps what came through by the method of `row`, and judges it: status, quality and time of `row`.
+void map_over_link(const SlamDrive& drive, const ReceivedFrames& received, SlamSettings settings,
+                   LinkRow& row);
+
 struct LinkTrial {
   LinkNeed need;
   std::vector<LinkRow> rows;  ///< by link, then by method
