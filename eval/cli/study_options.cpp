@@ -42,6 +42,7 @@ void add_study(CLI::App& app, StudyVerbArguments& arguments, std::function<int()
       [&] { return study_merge_verb(arguments.folder); });
   auto* retry = add("retry-failed", "run the failed trials again",
                     [&] { return study_retry_verb(arguments.folder, arguments.retry_threads); });
+  add_study_sbatch(verb, arguments.sbatch, action);
   retry->add_option("--threads", arguments.retry_threads, "trials at a time; 0: one a core")
       ->check(CLI::Range(0, kMostThreads));
 }

@@ -5,6 +5,7 @@
 #include <optional>
 #include <string>
 
+#include "eval/cli/study_sbatch_verb.h"
 #include "eval/cli/verbs.h"
 
 namespace honka::eval {
@@ -19,6 +20,7 @@ struct StudyArguments : ScenarioArguments {
 /// All that `honka study …` can be given.
 struct StudyVerbArguments {
   StudyArguments run;
+  SbatchArguments sbatch;
   std::filesystem::path folder;  ///< of status, merge and retry-failed
   int retry_threads = 0;
 };
