@@ -1,5 +1,7 @@
 #include "eval/run/check/figures.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -165,7 +167,7 @@ void append_table(const std::string& name, const SummaryTable& table,
   std::map<std::string, int> same;
   for (const Json& row : table.rows) {
     if (row.contains("unit") && row.at("unit").is_string() &&
-        is_cost("_" + row.at("unit").get<std::string>())) {
+        is_cost(fmt::format("_{}", row.at("unit").get<std::string>()))) {
       continue;
     }
     std::string label = label_of(row, keys);
@@ -214,7 +216,7 @@ std::vector<CheckFigure> figures_of(const Summary& summary) {
   std::vector<CheckFigure> figures;
   for (const auto& [name, table] : summary.tables) append_table(name, table, figures);
   for (const auto& [name, metric] : summary.metrics) {
-    if (is_cost(name) || is_cost("_" + metric.unit)) continue;
+    if (is_cost(name) || is_cost(fmt::format("_{}", metric.unit))) continue;
     figures.push_back(figure_of_metric(name, metric));
   }
   return figures;

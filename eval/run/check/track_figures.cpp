@@ -109,7 +109,7 @@ void append_track(const TrackRow& row, const PosePairs& pairs, std::vector<Check
 
 /// What stands after "key=" in a row's name, up to the next cell.
 std::string named_in(const std::string& row, const std::string& key) {
-  const std::size_t at = ("; " + row).find("; " + key + "=");
+  const std::size_t at = fmt::format("; {}", row).find(fmt::format("; {}=", key));
   if (at == std::string::npos) {
     throw UserError(
         fmt::format("trajectory row \"{}\": no {}=…; write it as \"truth=FILE; "
