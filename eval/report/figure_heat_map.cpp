@@ -1,0 +1,80 @@
+#include <algorithm>
+#include <cmath>
+
+#include "eval/report/figure_sweep.h"
+#include "eval/report/gnuplot.h"
+
+namespace honka::eval {
+namespace {
+
+std::string grid_tics(const std::string& axis, const std::vector<std::string>& values) {
+  std::string tics;
+  for (std::size_t k = 0; k < values.size(); ++k) {
+    std::string label;
+    for (const char c : values[k]) label += c == '%' ? "%%" : std::string(1, c);
+    tics += (k > 0 ? ", " : "") + gnuplot_text(label) + " " + std::to_string(k);
+  }
+  return "set " + axis + "tics (" + tics + ")";
+}
+
+std::string grid_range(const std::string& axis, std::size_t values) {
+  return "set " + axis + "range [-0.5:" + number(static_cast<double>(values) - 0.5) + "]";
+}
+
+/// The lowest share that a colour stands for: 0, or higher up where all are high.
+double darkest(const HeatFigure& input) {
+  double least = 100.0;
+  for (const HeatPanel& panel : input.panels) {
+    for (const HeatCell& cell : panel.cells) least = std::min(least, cell.percent);
+  }
+  return least >= 50.0 ? std::min(90.0, 10.0 * std::floor(least / 10.0)) : 0.0;
+}
+
+void draw_panel(Figure& figure, const HeatPanel& panel, double white_below) {
+  std::vector<std::vector<double>> columns(4);
+  for (const HeatCell& cell : panel.cells) {
+    columns[0].push_back(static_cast<double>(cell.column));
+    columns[1].push_back(static_cast<double>(cell.row));
+    columns[2].push_back(cell.percent);
+    columns[3].push_back(cell.half_width);
+  }
+  if (columns.front().empty()) {
+    figure << "set multiplot next";
+    return;
+  }
+  const std::string block =
+      figure.data(panel.title + ": column, row, percent, half of the interval", columns);
+  const std::string text = ":(sprintf(\"%.1f\\n±%.1f\", $3, $4)) with labels font ',11' tc rgb ";
+  const std::string limit = number(white_below);
+  figure << "set title " + gnuplot_text(panel.title);
+  figure.plot({block + " using 1:2:($1-0.5):($1+0.5):($2-0.5):($2+0.5):3 with boxxyerror"
+                       " fs solid noborder fc palette notitle",
+               block + " using ($3<" + limit + "?$1:NaN):2" + text + "'white' notitle",
+               block + " using ($3<" + limit + "?NaN:$1):2" + text + "'black' notitle"});
+}
+
+}  // namespace
+
+ReportFigure draw_heat_map(const std::filesystem::path& folder, const HeatFigure& input) {
+  constexpr double kWhiteShare = 0.55;  // of the scale: darker colours carry white text
+  const std::size_t panels = input.panels.size();
+  const int panel_px = std::max(430, 190 + 72 * static_cast<int>(input.columns.size()));
+  Figure figure(folder, input.name, panel_px * static_cast<int>(panels),
+                190 + std::max(180, 58 * static_cast<int>(input.rows.size())));
+  const double low = darkest(input);
+  figure << "set multiplot layout 1," + std::to_string(panels) + " title " +
+                gnuplot_text(input.title + ": " + input.protocol)
+         << kHeightPalette << "unset grid" << grid_tics("x", input.columns)
+         << grid_tics("y", input.rows) << grid_range("x", input.columns.size())
+         << grid_range("y", input.rows.size()) << "set cbrange [" + number(low) + ":100]"
+         << "set xlabel " + gnuplot_text(input.x_label)
+         << "set ylabel " + gnuplot_text(input.y_label)
+         << "set cblabel " + gnuplot_text(input.colour_label);
+  for (const HeatPanel& panel : input.panels) {
+    draw_panel(figure, panel, low + kWhiteShare * (100.0 - low));
+  }
+  figure << "unset multiplot";
+  return figure.draw(input.title, input.caption);
+}
+
+}  // namespace honka::eval
