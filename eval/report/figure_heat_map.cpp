@@ -31,20 +31,21 @@ double darkest(const HeatFigure& input) {
 }
 
 void draw_panel(Figure& figure, const HeatPanel& panel, double white_below) {
-  std::vector<std::vector<double>> columns(4);
+  std::vector<std::vector<double>> columns(5);
   for (const HeatCell& cell : panel.cells) {
     columns[0].push_back(static_cast<double>(cell.column));
     columns[1].push_back(static_cast<double>(cell.row));
     columns[2].push_back(cell.percent);
-    columns[3].push_back(cell.half_width);
+    columns[3].push_back(cell.low);
+    columns[4].push_back(cell.high);
   }
   if (columns.front().empty()) {
     figure << "set multiplot next";
     return;
   }
-  const std::string block =
-      figure.data(panel.title + ": column, row, percent, half of the interval", columns);
-  const std::string text = ":(sprintf(\"%.1f\\n±%.1f\", $3, $4)) with labels font ',11' tc rgb ";
+  const std::string block = figure.data(panel.title + ": column, row, percent, low, high", columns);
+  const std::string text =
+      ":(sprintf(\"%.1f\\n%.0f – %.0f\", $3, $4, $5)) with labels font ',11' tc rgb ";
   const std::string limit = number(white_below);
   figure << "set title " + gnuplot_text(panel.title);
   figure.plot({block + " using 1:2:($1-0.5):($1+0.5):($2-0.5):($2+0.5):3 with boxxyerror"

@@ -49,6 +49,12 @@ std::string sweep_tic(const std::string& label) {
   return gnuplot_text(text);
 }
 
+/// Words that would run into each other side by side.
+bool has_long_words(const SweepAxis& axis) {
+  return std::any_of(axis.words.begin(), axis.words.end(),
+                     [](const std::string& word) { return word.size() > 14; });
+}
+
 /// At the values themselves where they are few; those that would overlap have no label.
 std::string tics_of(const SweepAxis& axis, const SweepScale& scale) {
   constexpr std::size_t kFew = 12;
@@ -65,9 +71,8 @@ std::string tics_of(const SweepAxis& axis, const SweepScale& scale) {
         axis.words.empty() ? eval::number(number) : axis.words[static_cast<std::size_t>(number)];
     tics += (tics.empty() ? "" : ", ") + sweep_tic(label) + " " + eval::number(number);
   }
-  const bool long_words = std::any_of(axis.words.begin(), axis.words.end(),
-                                      [](const std::string& word) { return word.size() > 14; });
-  return "set xtics " + std::string(long_words ? "rotate by -20 " : "") + "(" + tics + ")";
+  return "set xtics " + std::string(has_long_words(axis) ? "rotate by -20 " : "") + "(" + tics +
+         ")";
 }
 
 /// Columns x, middle, low, high, without points that have no value.
@@ -85,9 +90,13 @@ std::vector<std::vector<double>> sweep_columns(const SweepCurve& curve, const Sw
   return columns;
 }
 
+std::string title_of(const SweepCurve& curve) {
+  return curve.label.empty() ? " notitle" : " title " + gnuplot_text(curve.label);
+}
+
 std::vector<std::string> panel_elements(Figure& figure, const SweepPanel& panel,
                                         const SweepScale& scale) {
-  constexpr double kStep = 0.009;
+  constexpr double kStep = 0.011;
   std::vector<std::string> elements;
   const double middle = 0.5 * (static_cast<double>(panel.curves.size()) - 1.0);
   for (std::size_t k = 0; k < panel.curves.size(); ++k) {
@@ -99,15 +108,30 @@ std::vector<std::string> panel_elements(Figure& figure, const SweepPanel& panel,
         figure.data(panel.title + " " + curve.label + ": x, value, low, high", columns);
     const std::string style = " lc " + series_colour(curve.style);
     if (curve.reference) {
-      elements.push_back(block + " using 1:2 with lines dt 2 lw 1.6" + style + " title " +
-                         gnuplot_text(curve.label));
+      elements.push_back(block + " using 1:2 with lines dt 2 lw 1.6" + style + title_of(curve));
       continue;
     }
     elements.push_back(block + " using 1:2 with lines lw 1.1" + style + " notitle");
     elements.push_back(block + " using 1:2:3:4 with yerrorbars lw 1.8 ps 0.8 pt " +
-                       series_point(curve.style) + style + " title " + gnuplot_text(curve.label));
+                       series_point(curve.style) + style + title_of(curve));
   }
   return elements;
+}
+
+std::string legend_title(const SweepFigure& input) {
+  return input.legend.empty() ? "" : " title " + gnuplot_text(input.legend);
+}
+
+/// Two entries stand side by side, three short ones that have a title above them.
+std::size_t legend_rows(const SweepFigure& input) {
+  std::size_t entries = 0;
+  for (const SweepPanel& panel : input.panels) {
+    const auto labelled =
+        std::count_if(panel.curves.begin(), panel.curves.end(),
+                      [](const SweepCurve& curve) { return !curve.label.empty(); });
+    entries = std::max(entries, static_cast<std::size_t>(labelled));
+  }
+  return input.legend.empty() ? (entries + 1) / 2 : (entries + 2) / 3;
 }
 
 /// Shares end at 100 and begin at 0, or higher up where all are high.
@@ -145,11 +169,10 @@ void set_axes(Figure& figure, const SweepFigure& input, const SweepScale& scale)
 ReportFigure draw_sweep(const std::filesystem::path& folder, const SweepFigure& input) {
   const SweepScale scale = scale_of(input.axis);
   const std::size_t panels = input.panels.size();
-  std::size_t curves = 0;
-  for (const SweepPanel& panel : input.panels) curves = std::max(curves, panel.curves.size());
-  const int legend_px = 26 * static_cast<int>((curves + 1) / 2);
+  const std::size_t entry_rows = legend_rows(input);
+  const std::size_t key_rows = entry_rows + (input.legend.empty() ? 0 : 1);
   Figure figure(folder, input.name, panels > 1 ? 520 * static_cast<int>(panels) : 860,
-                480 + legend_px);
+                480 + 24 * static_cast<int>(key_rows));
   if (panels > 1) {
     figure << "set multiplot layout 1," + std::to_string(panels) + " title " +
                   gnuplot_text(input.title + ": " + input.protocol);
@@ -157,7 +180,10 @@ ReportFigure draw_sweep(const std::filesystem::path& folder, const SweepFigure& 
     figure.title(input.title, input.protocol);
   }
   set_axes(figure, input, scale);
-  figure << "set key below vertical maxrows " + std::to_string((curves + 1) / 2);
+  // Room for tics, label and legend, in letters: gnuplot's own guess cuts the label.
+  figure << "set key below vertical maxrows " + std::to_string(entry_rows) + legend_title(input)
+         << "set bmargin " + number(4.2 + 1.5 * static_cast<double>(key_rows) +
+                                    (has_long_words(input.axis) ? 2.0 : 0.0));
   for (const SweepPanel& panel : input.panels) {
     const auto elements = panel_elements(figure, panel, scale);
     if (panels > 1) figure << "set title " + gnuplot_text(panel.title);

@@ -25,7 +25,7 @@ struct SweepPoint {
 };
 
 struct SweepCurve {
-  std::string label;
+  std::string label;       ///< empty: not in the legend
   std::size_t style = 0;   ///< colour and point type
   bool reference = false;  ///< a bound: dashed, without points
   std::vector<SweepPoint> points;
@@ -39,6 +39,7 @@ struct SweepPanel {
 /// Curves with intervals over an axis, in one panel or several beside each other.
 struct SweepFigure {
   std::string name, title, protocol, caption, y_label;
+  std::string legend = {};  ///< what the labels of the curves are values of
   SweepAxis axis;
   std::vector<SweepPanel> panels;
   bool percent = false;  ///< of a share: the axis ends at 100
@@ -49,10 +50,10 @@ struct SweepFigure {
 [[nodiscard]] ReportFigure draw_sweep(const std::filesystem::path& folder,
                                       const SweepFigure& input);
 
-/// Shares in percent on a grid, each with half the width of its interval.
+/// Shares in percent on a grid, each with its interval.
 struct HeatCell {
   std::size_t column = 0, row = 0;
-  double percent = 0.0, half_width = 0.0;
+  double percent = 0.0, low = 0.0, high = 0.0;
 };
 
 struct HeatPanel {

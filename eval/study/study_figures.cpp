@@ -67,7 +67,7 @@ void add_curves(SweepPanel& panel, const SweepPlan& plan, const StudySummary& su
   panel.curves.push_back(std::move(main));
   if (!what.bound) return;
   SweepCurve bound = curve_of(plan, summary, what.bound, method, slice, curve);
-  bound.label = label + ", least possible";
+  if (!plan.two_axes()) bound.label = label + ", least possible";
   bound.style = number;
   bound.reference = true;
   panel.curves.push_back(std::move(bound));
@@ -87,8 +87,7 @@ std::vector<SweepPanel> panels_of(const Study& study, const SweepPlan& plan,
     }
     panels[method].title = name;
     for (std::size_t k = 0; k < std::min(plan.curves.size(), SweepPlan::kCurves); ++k) {
-      add_curves(panels[method], plan, summary, what, method, slice, k,
-                 fmt::format("{} = {}", plan.curve_label, plan.curves[k]));
+      add_curves(panels[method], plan, summary, what, method, slice, k, plan.curves[k]);
     }
   }
   return panels;
@@ -118,6 +117,7 @@ void draw_quantity(std::vector<ReportFigure>& figures, const std::filesystem::pa
     figure.protocol = what.protocol;
     figure.caption = what.caption + left_out(plan);
     figure.y_label = what.y_label;
+    figure.legend = plan.curve_label;
     figure.axis = plan.axis;
     figure.percent = what.percent;
     figure.log_y = what.log_y;
@@ -215,7 +215,7 @@ ReportFigure draw_heat(const std::filesystem::path& folder, const Study& study,
   HeatFigure figure;
   figure.name = measure.name + "_map";
   figure.title = measure.long_name;
-  figure.protocol = "percent of all trials, ± half of the 95 % interval";
+  figure.protocol = "percent of all trials, 95 % intervals";
   figure.x_label = plan.axis.label;
   figure.y_label = plan.curve_label;
   figure.colour_label = measure.name + " (%)";
@@ -229,8 +229,8 @@ ReportFigure draw_heat(const std::filesystem::path& folder, const Study& study,
       if (cell.method != method || cell.trials == 0) continue;
       const SweepPlace& place = plan.places.at(static_cast<std::size_t>(cell.point));
       const RateFigure& rate = cell.rates.front();
-      panel.cells.push_back(
-          {place.column, place.curve, 100.0 * rate.rate, 100.0 * rate.half_width()});
+      panel.cells.push_back({place.column, place.curve, 100.0 * rate.rate,
+                             100.0 * rate.interval.low, 100.0 * rate.interval.high});
     }
   }
   return draw_heat_map(folder, figure);
