@@ -5,6 +5,7 @@
 #include <ctime>
 
 #include "algo/types/user_error.h"
+#include "eval/cli/study_verb.h"
 #include "eval/cli/verbs.h"
 #include "eval/config/scenario.h"
 #include "eval/io/build_info.h"
@@ -80,17 +81,21 @@ std::string context_text(const Summary& summary, const std::string& key) {
   return it == summary.context.end() ? "unknown" : it->second;
 }
 
-bool is_of_part(const Summary& summary) {
-  return summary.report.reproduce.find(" --trial ") != std::string::npos;
+/// Whether only some of the trials are in the results: their command tells.
+bool is_of_other_trials(const Summary& summary, const Scenario& scenario) {
+  const std::string command = summary.report.reproduce + " ";
+  if (!scenario.study.asked_for()) return command.find(" --trial ") != std::string::npos;
+  return command.find(fmt::format(" --trials {} ", scenario.study.trials)) == std::string::npos;
 }
 
-/// Why the results of a scenario cannot be taken; empty when they can.
-std::string why_not(const fs::path& folder, const std::string& hash) {
+/// Why a folder does not hold the results of a scenario; empty when it does.
+std::string why_not(const fs::path& folder, const ResolvedScenario& resolved) {
   if (!fs::exists(folder / "summary.json")) return "no summary.json";
   const Summary summary = read_summary(folder / "summary.json");
-  if (summary.scenario_hash != hash) return "made from another scenario or with keys on top";
-  if (is_of_part(summary)) return "one trial alone";
-  return "";
+  if (summary.scenario_hash != resolved.hash) {
+    return "made from another scenario or with keys on top";
+  }
+  return is_of_other_trials(summary, resolved.scenario) ? "not of all the scenario's trials" : "";
 }
 
 /// Results of another build of honka than this one, or of an unknown state of it.
@@ -101,21 +106,30 @@ bool is_of_other_build(const Summary& summary) {
 }
 
 /// Makes the results where they are missing, of another scenario or of another build.
-void run_where_needed(const Reference& reference, const std::string& name, int threads) {
-  const fs::path summary = results_of(name) / "summary.json";
-  if (why_not(results_of(name), reference.scenario_hash).empty() &&
-      !is_of_other_build(read_summary(summary))) {
+void run_where_needed(const ResolvedScenario& resolved, const fs::path& folder, int threads) {
+  if (why_not(folder, resolved).empty() &&
+      !is_of_other_build(read_summary(folder / "summary.json"))) {
     return;
   }
-  RunArguments arguments;
-  arguments.scenario = reference.scenario;
-  arguments.threads = threads;
-  arguments.out = results_of(name);
-  run_verb(arguments);
+  if (resolved.scenario.study.asked_for()) {
+    StudyArguments arguments;
+    arguments.scenario = resolved.file;
+    arguments.threads = threads;
+    arguments.out = folder;
+    study_verb(arguments);
+  } else {
+    RunArguments arguments;
+    arguments.scenario = resolved.file;
+    arguments.threads = threads;
+    arguments.out = folder;
+    run_verb(arguments);
+  }
 }
 
-/// UserError that says how to come to results that the reference can be compared with.
-void check_results(const Reference& reference, const std::string& name) {
+/// Sees to it that a reference has results to compare with; UserError that says how to come to
+/// them.
+void see_to_results(const Reference& reference, const std::string& name,
+                    const CheckArguments& arguments) {
   const ResolvedScenario resolved = load_scenario(reference.scenario);
   if (resolved.hash != reference.scenario_hash) {
     throw UserError(fmt::format(
@@ -123,7 +137,8 @@ void check_results(const Reference& reference, const std::string& name) {
         "--accept {} --why TEXT",
         reference.scenario, command_for(reference.scenario, resolved), name));
   }
-  const std::string why = why_not(results_of(name), reference.scenario_hash);
+  if (arguments.run) run_where_needed(resolved, results_of(name), arguments.threads);
+  const std::string why = why_not(results_of(name), resolved);
   if (why.empty()) return;
   throw UserError(fmt::format("{}: {}; make them: {}", results_of(name).string(), why,
                               command_for(reference.scenario, resolved)));
@@ -189,7 +204,7 @@ Summary acceptable_results(const std::string& name, const std::string& scenario)
   const ResolvedScenario resolved = load_scenario(scenario);
   const fs::path folder = results_of(name);
   const std::string command = command_for(scenario, resolved);
-  if (const std::string why = why_not(folder, resolved.hash); !why.empty()) {
+  if (const std::string why = why_not(folder, resolved); !why.empty()) {
     throw UserError(fmt::format("{}: {}; make them: {}", folder.string(), why, command));
   }
   Summary summary = read_summary(folder / "summary.json");
@@ -240,8 +255,7 @@ int check_verb(const CheckArguments& arguments) {
   for (const std::string& name : chosen_references(arguments.names)) {
     const Reference reference = read_reference(kReferences / (name + ".csv"));
     try {
-      if (arguments.run) run_where_needed(reference, name, arguments.threads);
-      check_results(reference, name);
+      see_to_results(reference, name, arguments);
     } catch (const UserError& error) {
       not_compared.push_back(error.what());
       continue;
