@@ -15,7 +15,7 @@ namespace {
 constexpr std::int64_t kBatch = 16;
 /// Trials of a point that are run before the next ones where it may stop early.
 constexpr std::int64_t kRound = 100;
-constexpr std::int64_t kMostShards = 100000;
+constexpr std::int64_t kMostParts = 100000;
 
 bool read_number(std::string_view text, std::int64_t& number) {
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
@@ -30,7 +30,7 @@ Shard parse_shard(const std::string& text) {
   const bool read = slash != std::string::npos &&
                     read_number(std::string_view(text).substr(0, slash), shard.index) &&
                     read_number(std::string_view(text).substr(slash + 1), shard.count);
-  if (!read || shard.count < 1 || shard.count > kMostShards || shard.index < 0 ||
+  if (!read || shard.count < 1 || shard.count > kMostParts || shard.index < 0 ||
       shard.index >= shard.count) {
     throw UserError(
         fmt::format("--shard {}: write i/N with i from 0 to N - 1, for example --shard 0/7", text));
@@ -38,10 +38,11 @@ Shard parse_shard(const std::string& text) {
   return shard;
 }
 
-std::int64_t shard_of(TrialId id, std::int64_t worlds, std::int64_t count) {
-  const std::int64_t world = id.trial % worlds;
+std::int64_t shard_of(const Study& study, TrialId id, std::int64_t count) {
+  const std::int64_t worlds = study.base.scenario.study.worlds;
+  const auto places = static_cast<std::int64_t>(study.points.size()) * worlds;
   const std::int64_t batch = id.trial / worlds / kBatch;
-  return (id.point * worlds + world + batch) % count;
+  return (batch * places + id.point * worlds + id.trial % worlds) % count;
 }
 
 std::vector<TrialBatch> batches_of(const Study& study, const Shard& shard) {
@@ -53,7 +54,7 @@ std::vector<TrialBatch> batches_of(const Study& study, const Shard& shard) {
   for (std::int64_t point = 0; point < points; ++point) {
     for (std::int64_t trial = 0; trial < study.trials; ++trial) {
       const TrialId id{point, trial};
-      if (shard_of(id, settings.worlds, shard.count) != shard.index) continue;
+      if (shard_of(study, id, shard.count) != shard.index) continue;
       batches[{point, may_stop ? trial / kRound : 0, trial % settings.worlds}].push_back(id);
     }
   }

@@ -19,8 +19,8 @@ struct Shard {
 [[nodiscard]] Shard parse_shard(const std::string& text);
 
 /// Which of `count` shards a trial belongs to: the same however many trials a study has, so that
-/// more can be added. Trials of a world stay together in batches.
-[[nodiscard]] std::int64_t shard_of(TrialId id, std::int64_t worlds, std::int64_t count);
+/// more can be added. Trials of a world stay together in batches, which the shards take in turn.
+[[nodiscard]] std::int64_t shard_of(const Study& study, TrialId id, std::int64_t count);
 
 /// Trials that follow each other in one worker, all in one world.
 using TrialBatch = std::vector<TrialId>;

@@ -103,6 +103,8 @@ void limit_memory(std::int64_t memory_mb) {
                                 std::array<int, 3> files, pid_t parent) {
   ::prctl(PR_SET_PDEATHSIG, SIGKILL);
   if (::getppid() != parent) ::_exit(1);
+  // A crash is to end the worker, whatever its parent does about its own.
+  for (const int crash : {SIGABRT, SIGBUS, SIGFPE, SIGILL, SIGSEGV}) std::signal(crash, SIG_DFL);
   ::dup2(files[2], STDERR_FILENO);
   // Whatever the parent has open (its journal and lock, other workers' pipes) is not the worker's.
   constexpr int kIn = 3, kOut = 4, kErrors = 5, kHigh = 64;

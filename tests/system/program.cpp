@@ -27,7 +27,7 @@ void send_to(int stream, const fs::path& file) {
 
 bool tells_progress(const std::string& line) {
   static const std::regex kProgress(
-      R"(.+: \d+ of \d+ (sweeps|key frames|windows|maps|pairs|rounds|lists)\b.*)");
+      R"(.+: \d+ of \d+ (sweeps|key frames|windows|maps|pairs|rounds|lists|trials)\b.*)");
   return std::regex_match(line, kProgress);
 }
 

@@ -55,9 +55,9 @@ TEST_CASE("more trials are added to what is there, and give what they give at on
 TEST_CASE("trials that throw, crash, hang or take all memory are rows with their cause") {
   const TemporaryFolder folder;
   Study study = fake_study(folder, 10, false);
-  study.base.scenario.study.time_limit_s = 1.0;
+  study.base.scenario.study.time_limit_s = 2.0;
 #ifndef __SANITIZE_ADDRESS__
-  study.base.scenario.study.memory_limit_mb = 1000;
+  study.base.scenario.study.memory_limit_mb = 400;
   constexpr std::int64_t kTrials = 10, kFailed = 4;
 #else
   study.trials = 6;  // the sanitizer's own memory leaves no room for a limit

@@ -48,16 +48,16 @@ TEST_CASE("what a study cannot be made of is refused with its place") {
   const TemporaryFolder folder;
   CHECK_THAT(refusal_of_study(folder, ""), Catch::Contains("nothing varies"));
   CHECK_THAT(refusal_of_study(folder, "[study.vary]\nsighting.noise_m = []\n"),
-             Catch::Contains("s.toml:3:1: study.vary.sighting.noise_m is empty"));
+             Catch::Contains("s.toml:3:10: study.vary.sighting.noise_m is empty"));
   CHECK_THAT(refusal_of_study(folder, "[study.vary]\nsighting.nois_m = [1]\n"),
-             Catch::Contains("s.toml:3:1: unknown key sighting.nois_m") &&
+             Catch::Contains("s.toml:3:10: unknown key sighting.nois_m") &&
                  Catch::Contains("did you mean sighting.noise_m"));
   CHECK_THAT(refusal_of_study(folder, "[study.vary]\nsighting.noise_m = [0.1, -2]\n"),
-             Catch::Contains("s.toml:3:1") && Catch::Contains("out of range"));
+             Catch::Contains("s.toml:3:10") && Catch::Contains("out of range"));
   CHECK_THAT(refusal_of_study(folder,
                               "[study]\ncombine = \"list\"\n[study.vary]\nsighting.noise_m = [0.1, "
                               "0.2]\nsighting.missed_share = [0.1]\n"),
-             Catch::Contains("s.toml:6:1") && Catch::Contains("has 1 values"));
+             Catch::Contains("s.toml:6:10") && Catch::Contains("has 1 values"));
   CHECK_THAT(refusal_of_study(folder, "[study.vary]\nvariants.methods = \"li2020, consensus\"\n"),
              Catch::Contains("take them out of [study.vary]"));
 }
