@@ -12,7 +12,7 @@ namespace {
 
 /// Room at the end of a short drive: the machine slows down, and the odometry's noise makes some
 /// key frames later than others.
-constexpr double kSlackAtEnd_m = 3.0;
+constexpr double kSlackAtEnd_m = 2.0;
 
 /// Way that so many key frames take at most: one becomes due at most a sweep too late.
 double way_of(std::size_t key_frames, const Scenario& scenario, double sweep_period_s) {
@@ -55,7 +55,8 @@ DrawnWindow draw_window(const Scenario& scenario, const TrialWorld& world, std::
   const bool reversed = stream.uniform() < 0.5;
   const auto first = static_cast<std::size_t>(stream.below(kKeyFramesBeforeWindow));
   // The drive
-  const sim::Polyline path = piece_of(world.work_path, from_m, way_m, reversed);
+  const double driven_m = way_of(first + count, scenario, world.lidar->model().sweep_period_s());
+  const sim::Polyline path = piece_of(world.work_path, from_m, driven_m, reversed);
   const DriveOrder order{"window", &path, &scenario.harvester, &world};
   DrawnWindow window;
   window.drive = drive_and_scan(order, scenario, seed, "", 1,

@@ -64,15 +64,26 @@ class KeyFrameBuilder {
   std::deque<Open> open_;
 };
 
-std::vector<std::int64_t> sweeps_of_key_frames(const OdometryTrack& track,
-                                               const KeyFrameSettings& settings,
-                                               const KeyFrameChoice& choice,
-                                               const sim::Vehicle& vehicle) {
+/// Drives with an odometry that needs no returns, until the last chosen key frame is complete.
+/// Returns the sweeps that the key frames are made of.
+std::vector<std::int64_t> drive_without_scans(Drive& drive, const LidarModel& model,
+                                              Odometry& odometry, const KeyFrameSettings& settings,
+                                              const KeyFrameChoice& choice,
+                                              const std::string& what) {
   std::set<std::int64_t> wanted;
-  KeyFrameBuilder builder(settings, choice, vehicle, [&](const KeyFrame& key_frame, auto&&) {
-    for (const FrameSweep& sweep : key_frame.sweeps) wanted.insert(sweep.index);
+  std::size_t complete = 0;
+  KeyFrameBuilder builder(settings, choice, *drive.vehicle, [&](const KeyFrame& key_frame, auto&&) {
+    ++complete;
+    for (const FrameSweep& s : key_frame.sweeps) wanted.insert(s.index);
   });
-  for (const OdometryEstimate& estimate : track.estimates()) builder.add(estimate, nullptr);
+  const std::int64_t sweeps = sweeps_of(*drive.vehicle, model);
+  Progress progress(what.empty() ? what : what + ", poses alone", "sweeps", sweeps);
+  for (std::int64_t k = 0; k < sweeps && complete < choice.count; ++k) {
+    const OdometryEstimate estimate = odometry.process(empty_sweep(model, k));
+    drive.track.add(estimate);
+    builder.add(estimate, nullptr);
+    progress.advance();
+  }
   return {wanted.begin(), wanted.end()};
 }
 
@@ -127,18 +138,14 @@ Drive drive_and_scan(const DriveOrder& order, const Scenario& scenario, std::uin
                             drive.key_frames.push_back(key_frame);
                             take(key_frame, std::move(scans));
                           });
-  const bool casts = odometry->needs_returns();
-  {
-    Progress progress(casts || what.empty() ? what : what + ", poses alone", "sweeps", sweeps);
+  if (odometry->needs_returns()) {
+    Progress progress(what, "sweeps", sweeps);
     drive.track = drive_with_odometry(*drive.vehicle, lidar, *odometry, threads, progress,
-                                      [&](DriveSweep&& s) {
-                                        if (casts) builder.add(s.estimate, &s.sweep);
-                                      });
-  }
-  if (casts) {
+                                      [&](DriveSweep&& s) { builder.add(s.estimate, &s.sweep); });
     drive.T_world_odom = laid_onto_world(drive.key_frames);
   } else {
-    const auto wanted = sweeps_of_key_frames(drive.track, scenario.frame, choice, *drive.vehicle);
+    const auto wanted =
+        drive_without_scans(drive, lidar.model(), *odometry, scenario.frame, choice, what);
     scan_key_frames(drive, lidar, wanted, what, threads, builder);
   }
   return drive;

@@ -16,8 +16,10 @@ Eigen::Matrix3d rotation_of(double roll_rad, double pitch_rad, double yaw_rad) {
   return pose_from_rpy(Eigen::Vector3d::Zero(), roll_rad, pitch_rad, yaw_rad).linear();
 }
 
+}  // namespace
+
 /// Drift in units of its s.d.: x, y and yaw.
-class Drift {
+class TruthNoiseOdometry::Drift {
  public:
   virtual ~Drift() = default;
   /// For the sweeps of a drive, one after the other.
@@ -25,7 +27,7 @@ class Drift {
 };
 
 /// First-order Gauss–Markov over the way travelled.
-class DriftAlongWay : public Drift {
+class TruthNoiseOdometry::DriftAlongWay : public Drift {
  public:
   DriftAlongWay(std::uint64_t seed, double length_m)
       : stream_(seed, "odometry_drift"), length_m_(length_m) {
@@ -52,7 +54,7 @@ class DriftAlongWay : public Drift {
 /// Gaussian field over the plane with covariance exp(−distance / length), as a sum of waves drawn
 /// from its spectrum (Rahimi & Recht 2007): |k| has the distribution 1 − (1 + (length
 /// |k|)²)^(−1/2).
-class DriftOfPlace : public Drift {
+class TruthNoiseOdometry::DriftOfPlace : public Drift {
  public:
   DriftOfPlace(std::uint64_t seed, double length_m) {
     for (std::size_t i = 0; i < kWaves; ++i) {
@@ -84,41 +86,43 @@ class DriftOfPlace : public Drift {
   std::vector<Wave> waves_;
 };
 
-std::unique_ptr<Drift> make_drift(const OdometrySettings& settings, std::uint64_t seed) {
-  if (settings.drift_follows == "way") {
-    return std::make_unique<DriftAlongWay>(seed, settings.correlation_length_m);
-  }
-  return std::make_unique<DriftOfPlace>(seed, settings.correlation_length_m);
-}
-
-}  // namespace
-
 TruthNoiseOdometry::TruthNoiseOdometry(const sim::Trajectory& truth, double period_s,
                                        std::int64_t sweeps, const OdometrySettings& settings,
                                        std::uint64_t seed)
-    : truth_(truth), period_s_(period_s) {
-  const std::unique_ptr<Drift> drift = make_drift(settings, seed);
+    : truth_(truth), period_s_(period_s), sweeps_(sweeps), settings_(settings), seed_(seed) {
+  if (settings.drift_follows == "way") {
+    drift_ = std::make_unique<DriftAlongWay>(seed, settings.correlation_length_m);
+  } else {
+    drift_ = std::make_unique<DriftOfPlace>(seed, settings.correlation_length_m);
+  }
   const double angle_sd_rad = deg_to_rad(settings.jitter_deg);
   Twist variances;
   variances << Eigen::Vector3d::Constant(settings.jitter_m * settings.jitter_m),
       Eigen::Vector3d::Constant(angle_sd_rad * angle_sd_rad);
   covariance_ = variances.asDiagonal();
-  for (std::int64_t k = 0; k < sweeps; ++k) {
-    const double time_s = period_s * static_cast<double>(k);
-    const Eigen::Vector3d drifted = drift->at(truth.T_world_lidar(time_s).translation());
-    RandomStream jitter(seed, "odometry_jitter", {static_cast<std::uint64_t>(k)});
+}
+
+TruthNoiseOdometry::~TruthNoiseOdometry() = default;
+
+const TruthNoiseOdometry::Error& TruthNoiseOdometry::error_of(std::int64_t sweep) const {
+  const double angle_sd_rad = deg_to_rad(settings_.jitter_deg);
+  for (auto k = static_cast<std::int64_t>(errors_.size()); k <= sweep; ++k) {
+    const double time_s = period_s_ * static_cast<double>(k);
+    const Eigen::Vector3d drifted = drift_->at(truth_.T_world_lidar(time_s).translation());
+    RandomStream jitter(seed_, "odometry_jitter", {static_cast<std::uint64_t>(k)});
     Error error;
     for (int axis = 0; axis < 3; ++axis) {
-      error.translation_m[axis] = jitter.normal(0.0, settings.jitter_m);
+      error.translation_m[axis] = jitter.normal(0.0, settings_.jitter_m);
     }
-    error.translation_m.head<2>() += settings.drift_m * drifted.head<2>();
+    error.translation_m.head<2>() += settings_.drift_m * drifted.head<2>();
     const double roll = jitter.normal(0.0, angle_sd_rad);
     const double pitch = jitter.normal(0.0, angle_sd_rad);
     const double yaw =
-        jitter.normal(0.0, angle_sd_rad) + deg_to_rad(settings.drift_deg) * drifted.z();
+        jitter.normal(0.0, angle_sd_rad) + deg_to_rad(settings_.drift_deg) * drifted.z();
     error.rotation = rotation_of(roll, pitch, yaw);
     errors_.push_back(error);
   }
+  return errors_[static_cast<std::size_t>(sweep)];
 }
 
 OdometryCause TruthNoiseOdometry::place_in_time(double start_time_s) const {
@@ -133,7 +137,7 @@ OdometryEstimate TruthNoiseOdometry::process(const Sweep& sweep) {
   estimate.sweep = sweep.index;
   estimate.cause = place_in_time(sweep.start_time_s);
   estimate.covariance = covariance_;
-  if (estimate.cause != OdometryCause::kNone || errors_.empty()) {
+  if (estimate.cause != OdometryCause::kNone || sweeps_ == 0) {
     estimate.status = OdometryStatus::kRefused;
     estimate.T_odom_start = last_.T_odom_end;
     return estimate;
@@ -149,7 +153,7 @@ OdometryEstimate TruthNoiseOdometry::process(const Sweep& sweep) {
 }
 
 Pose3 TruthNoiseOdometry::T_odom_lidar(std::int64_t sweep, double time_s) const {
-  const Error& error = errors_[static_cast<std::size_t>(sweep)];
+  const Error& error = error_of(sweep);
   const Pose3 T_world_lidar = truth_.T_world_lidar(time_s);
   Pose3 T_odom_lidar = Pose3::Identity();
   T_odom_lidar.translation() = T_world_lidar.translation() + error.translation_m;

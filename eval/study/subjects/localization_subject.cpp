@@ -2,6 +2,7 @@
 
 #include <limits>
 #include <optional>
+#include <string>
 
 #include "algo/types/angles.h"
 #include "algo/types/check.h"
@@ -13,6 +14,8 @@
 #include "eval/run/stopwatch.h"
 #include "eval/run/trunk_map.h"
 #include "eval/run/windows.h"
+#include "eval/study/subjects/keys_text.h"
+#include "eval/study/subjects/recent.h"
 #include "eval/study/subjects/sighting_subject.h"
 
 namespace honka::eval {
@@ -33,24 +36,74 @@ Scenario one_chain(Scenario scenario) {
   return scenario;
 }
 
-/// A forest with its map, and every method over it.
-struct MappedWorld {
+/// Forests kept for the next points.
+constexpr std::size_t kWorldsKept = 4;
+
+/// Keys of studies of windows that no forest hangs on: points that differ in these alone share the
+/// forests and their scenes. And that no map hangs on.
+const std::vector<std::string> kBesideForest = {"title",
+                                                "question",
+                                                "beside",
+                                                "localize.",
+                                                "variants.",
+                                                "study.",
+                                                "protocol.window_frames",
+                                                "stems.",
+                                                "harvester.",
+                                                "odometry.",
+                                                "frame.",
+                                                "map.source",
+                                                "map.inventory.",
+                                                "map.airborne."};
+const std::vector<std::string> kBesideMap = {
+    "title",  "question",  "beside", "localize.", "variants.", "study.", "protocol.window_frames",
+    "stems.", "harvester."};
+
+std::string key_of(std::int64_t number, const Scenario& scenario,
+                   const std::vector<std::string>& without) {
+  return std::to_string(number) + "\n" + keys_text(scenario, without);
+}
+
+/// A forest and its true stems.
+struct StudyForest {
   TrialWorld world;
-  StemMap truth;
+  StemMap stems;
+};
+
+std::shared_ptr<const StudyForest> study_forest(const Scenario& scenario, std::int64_t number) {
+  static Recent<StudyForest> recent(kWorldsKept);
+  return recent.get(key_of(number, scenario, kBesideForest), [&] {
+    auto forest = std::make_shared<StudyForest>();
+    forest->world = make_trial_world(scenario, number);
+    forest->stems = true_stems(forest->world.stand);
+    return forest;
+  });
+}
+
+std::shared_ptr<const TrunkMap> study_map(const Scenario& scenario, std::int64_t number,
+                                          const TrialWorld& world) {
+  static Recent<TrunkMap> recent(kWorldsKept);
+  return recent.get(key_of(number, scenario, kBesideMap), [&] {
+    MappedRun run;
+    if (!lists_trees(scenario.map.source)) {
+      run = map_run(prior_drive(scenario, world), scenario, world.seed, "", 1, false);
+    }
+    return std::make_shared<TrunkMap>(
+        trunk_map_of(scenario.map.source, run, stems_of_thinned_cloud(scenario), scenario, world));
+  });
+}
+
+/// A forest with its map, and every method over it.
+struct ForestWithMap {
+  std::shared_ptr<const StudyForest> forest;
   std::vector<TrunkMap> maps;
   std::vector<Variant> variants;  ///< in the order of the methods; they point into `maps`
 };
 
-std::unique_ptr<MappedWorld> make_mapped_world(const Scenario& scenario, std::int64_t number) {
-  auto mapped = std::make_unique<MappedWorld>();
-  const TrialWorld& world = mapped->world = make_trial_world(scenario, number);
-  mapped->truth = true_stems(world.stand);
-  MappedRun run;
-  if (!lists_trees(scenario.map.source)) {
-    run = map_run(prior_drive(scenario, world), scenario, world.seed, "", 1, false);
-  }
-  mapped->maps.push_back(
-      trunk_map_of(scenario.map.source, run, stems_of_thinned_cloud(scenario), scenario, world));
+std::unique_ptr<ForestWithMap> forest_with_map(const Scenario& scenario, std::int64_t number) {
+  auto mapped = std::make_unique<ForestWithMap>();
+  mapped->forest = study_forest(scenario, number);
+  mapped->maps.push_back(*study_map(scenario, number, mapped->forest->world));
   mapped->variants = make_variants(scenario, mapped->maps);
   return mapped;
 }
@@ -69,14 +122,15 @@ class LocalizationSubject : public StudySubject {
 
   std::vector<MethodResult> run(std::int64_t trial) override {
     enter(trial % scenario_.study.worlds);
+    const TrialWorld& world = mapped_->forest->world;
     const Stopwatch watch;
-    DrawnWindow drawn = draw_window(scenario_, mapped_->world, frames_, trial);
+    DrawnWindow drawn = draw_window(scenario_, world, frames_, trial);
     const double cast_ms = watch.milliseconds();
     if (drawn.scans.size() < static_cast<std::size_t>(frames_)) return lost(cast_ms);
-    const ScannedRun scanned{&drawn.drive, &mapped_->world.lidar->model(), std::move(drawn.scans)};
+    const ScannedRun scanned{&drawn.drive, &world.lidar->model(), std::move(drawn.scans)};
     const Window window{trial, static_cast<std::size_t>(frames_) - 1, {frames_}};
-    const auto rows =
-        localize_window(window, scanned, mapped_->variants, scenario_, {&mapped_->truth, trial});
+    const auto rows = localize_window(window, scanned, mapped_->variants, scenario_,
+                                      {&mapped_->forest->stems, trial});
     HONKA_CHECK(rows.size() == methods_.size(), "one row a method");
     std::vector<MethodResult> results;
     for (std::size_t k = 0; k < rows.size(); ++k) {
@@ -89,7 +143,7 @@ class LocalizationSubject : public StudySubject {
   void enter(std::int64_t number) {
     if (number_ == number) return;
     number_.reset();
-    mapped_ = make_mapped_world(scenario_, number);
+    mapped_ = forest_with_map(scenario_, number);
     number_ = number;
   }
 
@@ -122,7 +176,7 @@ class LocalizationSubject : public StudySubject {
   std::int64_t frames_;
   std::vector<std::string> methods_ = window_methods(scenario_);
   std::optional<std::int64_t> number_;
-  std::unique_ptr<MappedWorld> mapped_;
+  std::unique_ptr<ForestWithMap> mapped_;
 };
 
 std::vector<Measure> window_measures() {

@@ -15,6 +15,7 @@ class Recent {
  public:
   explicit Recent(std::size_t most) : most_(most) {}
 
+  /// The kept one, or what `make` gives, which is kept then.
   [[nodiscard]] std::shared_ptr<const Made> get(
       const std::string& key, const std::function<std::shared_ptr<const Made>()>& make) {
     for (auto it = kept_.begin(); it != kept_.end(); ++it) {

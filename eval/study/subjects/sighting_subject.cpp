@@ -5,6 +5,8 @@
 
 #include "algo/types/angles.h"
 #include "eval/run/localize/sighting_trial.h"
+#include "eval/study/subjects/keys_text.h"
+#include "eval/study/subjects/recent.h"
 
 namespace honka::eval {
 namespace {
@@ -13,6 +15,36 @@ constexpr double kNoNumber = std::numeric_limits<double>::quiet_NaN();
 
 std::vector<std::string> sighting_methods(const Scenario& scenario) {
   return methods_of(scenario.variants.methods, scenario.localize);
+}
+
+/// Forests of points kept for the next points of a study: two of large maps, which take 100 MB
+/// each.
+constexpr std::size_t kPointForestsKept = 32, kLargeForestsKept = 2;
+constexpr std::int64_t kLargeForest = 50000;
+
+/// Keys of studies of lists that no forest of points hangs on.
+const std::vector<std::string> kBesideSightingWorld = {"title",
+                                                       "question",
+                                                       "beside",
+                                                       "localize.",
+                                                       "variants.",
+                                                       "study.",
+                                                       "sighting.range_m",
+                                                       "sighting.field_of_view_deg",
+                                                       "sighting.most_stems",
+                                                       "sighting.noise_m",
+                                                       "sighting.radial_bias_m",
+                                                       "sighting.missed_share",
+                                                       "sighting.false_share",
+                                                       "sighting.border_m"};
+
+std::shared_ptr<const SightingWorld> sighting_world(const Scenario& scenario,
+                                                    const SightingCase& one, std::int64_t number) {
+  static Recent<SightingWorld> small(kPointForestsKept), large(kLargeForestsKept);
+  const std::string key = std::to_string(number) + "\n" + keys_text(scenario, kBesideSightingWorld);
+  return (one.map.stems < kLargeForest ? small : large).get(key, [&] {
+    return std::make_shared<SightingWorld>(make_sighting_world(scenario, one, number));
+  });
 }
 
 class SightingSubject : public StudySubject {
@@ -24,7 +56,7 @@ class SightingSubject : public StudySubject {
     enter(trial % scenario_.study.worlds);
     std::vector<MethodResult> results;
     for (std::size_t k = 0; k < methods_.size(); ++k) {
-      const SightingRow row = ask_sighting(scenario_, case_, world_, matchers_[k], trial);
+      const SightingRow row = ask_sighting(scenario_, case_, *world_, matchers_[k], trial);
       results.push_back({methods_[k], values_of(row)});
     }
     return results;
@@ -35,10 +67,10 @@ class SightingSubject : public StudySubject {
   void enter(std::int64_t number) {
     if (number_ == number) return;
     number_.reset();
-    world_ = make_sighting_world(scenario_, case_, number);
+    world_ = sighting_world(scenario_, case_, number);
     matchers_.clear();
     for (const std::string& method : methods_) {
-      matchers_.push_back(make_timed_matcher(method, world_.mapped->map_m, scenario_.localize));
+      matchers_.push_back(make_timed_matcher(method, world_->mapped->map_m, scenario_.localize));
     }
     number_ = number;
   }
@@ -60,7 +92,7 @@ class SightingSubject : public StudySubject {
   SightingCase case_;
   std::vector<std::string> methods_ = sighting_methods(scenario_);
   std::optional<std::int64_t> number_;
-  SightingWorld world_;
+  std::shared_ptr<const SightingWorld> world_;
   std::vector<TimedMatcher> matchers_;
 };
 
