@@ -11,6 +11,26 @@
 
 namespace honka::eval {
 
+/// How often each of n rows is in each resample: the costly part of a bootstrap, made once for all
+/// samples of the same size.
+class BootstrapDraws {
+ public:
+  BootstrapDraws(std::size_t rows, const BootstrapSettings& settings);
+
+  [[nodiscard]] std::size_t rows() const { return rows_; }
+  [[nodiscard]] std::size_t resamples() const {
+    return times_.size() / std::max<std::size_t>(rows_, 1);
+  }
+  /// Of each row, in one resample.
+  [[nodiscard]] std::span<const std::uint16_t> times(std::size_t resample) const {
+    return std::span<const std::uint16_t>(times_).subspan(resample * rows_, rows_);
+  }
+
+ private:
+  std::size_t rows_;
+  std::vector<std::uint16_t> times_;  ///< resample after resample
+};
+
 /// Percentile bootstrap, 95 %, of statistics of the same trials: one set of draws for all of them,
 /// so that differences between methods are taken draw by draw.
 ///
@@ -21,9 +41,13 @@ class JointBootstrap {
  public:
   static constexpr std::size_t kDrawnRows = 400;  ///< s.d. of an interval's width: 1/√800 = 3.5 %
 
-  /// `rows`: row after row of `columns` finite numbers.
-  JointBootstrap(std::span<const double> rows, std::size_t columns,
-                 const BootstrapSettings& settings = {});
+  /// Rows that are drawn of so many trials.
+  [[nodiscard]] static std::size_t drawn_rows(std::size_t trials) {
+    return std::min(trials, kDrawnRows);
+  }
+
+  /// `rows`: row after row of `columns` finite numbers; `draws` of drawn_rows() of them.
+  JointBootstrap(std::span<const double> rows, std::size_t columns, const BootstrapDraws& draws);
 
   /// Interval of statistic(sums); nothing for fewer than two rows. Draws for which it is not finite
   /// (no success in them) are left out, and where these are most of them there is nothing.

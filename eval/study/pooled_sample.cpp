@@ -24,6 +24,13 @@ double drawn_mean(std::span<const double> sums, std::size_t measure) {
 
 }  // namespace
 
+const BootstrapDraws& StudyDraws::of(std::size_t rows) {
+  const std::lock_guard lock(mutex_);
+  const auto found = by_rows_.find(rows);
+  if (found != by_rows_.end()) return found->second;
+  return by_rows_.emplace(rows, BootstrapDraws(rows, {1, "study", kResamples})).first->second;
+}
+
 std::size_t PooledSample::add_values(const std::vector<double>& values) {
   HONKA_CHECK(values.size() == worlds_.size(), "one value a trial");
   columns_.push_back(values);
@@ -44,7 +51,7 @@ std::size_t PooledSample::add_square_pair(std::vector<double> first, std::vector
   return pair;
 }
 
-void PooledSample::draw(const std::string& stream) {
+void PooledSample::draw(StudyDraws& draws) {
   const std::size_t width = 2 * columns_.size();
   if (width == 0) return;
   std::vector<double> rows(worlds_.size() * width, 0.0);
@@ -55,7 +62,7 @@ void PooledSample::draw(const std::string& stream) {
       rows[k * width + 2 * c + 1] = 1.0;
     }
   }
-  bootstrap_.emplace(rows, width, BootstrapSettings{1, stream, kResamples});
+  bootstrap_.emplace(rows, width, draws.of(JointBootstrap::drawn_rows(worlds_.size())));
 }
 
 double PooledSample::mean_of(std::size_t measure) const {

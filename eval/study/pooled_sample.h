@@ -1,8 +1,9 @@
 #pragma once
 
 #include <cstdint>
+#include <map>
+#include <mutex>
 #include <optional>
-#include <string>
 #include <vector>
 
 #include "eval/metrics/joint_bootstrap.h"
@@ -18,13 +19,23 @@ struct PooledFigure {
   std::int64_t n = 0, of = 0;
 };
 
-/// Measures of the same trials, and one bootstrap for all that is pooled from them. Intervals are
-/// widened where worlds differ by more than chance (cluster_spread()).
-class PooledSample {
+/// The draws of every bootstrap of a study, by number of rows; several threads may ask.
+class StudyDraws {
  public:
   /// Resamples: the ends of an interval then vary by some 3 % of its width.
   static constexpr int kResamples = 1000;
 
+  [[nodiscard]] const BootstrapDraws& of(std::size_t rows);
+
+ private:
+  std::mutex mutex_;
+  std::map<std::size_t, BootstrapDraws> by_rows_;
+};
+
+/// Measures of the same trials, and one bootstrap for all that is pooled from them. Intervals are
+/// widened where worlds differ by more than chance (cluster_spread()).
+class PooledSample {
+ public:
   /// `worlds`: of each trial.
   explicit PooledSample(const std::vector<std::int64_t>& worlds) : worlds_(worlds) {}
 
@@ -36,7 +47,7 @@ class PooledSample {
   [[nodiscard]] std::size_t add_square_pair(std::vector<double> first, std::vector<double> second);
 
   /// Draws the resamples.
-  void draw(const std::string& stream);
+  void draw(StudyDraws& draws);
 
   [[nodiscard]] PooledFigure mean(std::size_t measure) const;
   [[nodiscard]] PooledFigure rms(std::size_t measure) const;

@@ -132,8 +132,9 @@ SummaryTable table_with(std::vector<Json> rows, const std::string& protocol) {
 
 StudySummary summarize_study(const Study& study, const Table& trials) {
   const std::vector<StudyCell> cells = study_cells(study, trials);
-  return {summarize_cells(study, trials, cells), point_costs(study, trials, cells),
-          compare_methods(study, trials, cells), convergence_of(study, trials, cells)};
+  StudyDraws draws;
+  return {summarize_cells(study, trials, cells, draws), point_costs(study, trials, cells),
+          compare_methods(study, trials, cells, draws), convergence_of(study, trials, cells)};
 }
 
 std::map<std::string, SummaryTable> study_json(const Study& study, const StudySummary& summary,

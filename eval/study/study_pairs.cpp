@@ -95,7 +95,8 @@ PairedFigure compare_rate(const Study& study, const Table& trials, const SharedT
 /// RMSE against RMSE over the trials in which both methods have the error.
 std::vector<PairedFigure> compare_errors(const Study& study, const Table& trials,
                                          const SharedTrials& shared,
-                                         const std::vector<std::size_t>& measures) {
+                                         const std::vector<std::size_t>& measures,
+                                         StudyDraws& draws) {
   PooledSample sample(shared.worlds);
   std::vector<std::size_t> numbers;
   for (const std::size_t measure : measures) {
@@ -103,8 +104,7 @@ std::vector<PairedFigure> compare_errors(const Study& study, const Table& trials
     numbers.push_back(sample.add_square_pair(taken(column, shared.second_rows),
                                              taken(column, shared.first_rows)));
   }
-  sample.draw(fmt::format("pair {} {} {}", shared.point.value_or(-1), study.methods[shared.first],
-                          study.methods[shared.second]));
+  sample.draw(draws);
   std::vector<PairedFigure> pairs;
   for (std::size_t k = 0; k < measures.size(); ++k) {
     PairedFigure pair = pair_of(shared, measures[k]);
@@ -147,7 +147,7 @@ std::string difference_text(const Study& study, const PairedFigure& pair, std::s
 }  // namespace
 
 std::vector<PairedFigure> compare_methods(const Study& study, const Table& trials,
-                                          const std::vector<StudyCell>& cells) {
+                                          const std::vector<StudyCell>& cells, StudyDraws& draws) {
   const MeasuresByKind by_kind(*study.kind);
   std::vector<std::size_t> errors;
   for (const std::size_t measure : by_kind.errors) {
@@ -161,7 +161,7 @@ std::vector<PairedFigure> compare_methods(const Study& study, const Table& trial
       found[k].push_back(compare_rate(study, trials, all[k], by_kind.rates.front()));
     }
     if (errors.empty()) continue;
-    const auto compared = compare_errors(study, trials, all[k], errors);
+    const auto compared = compare_errors(study, trials, all[k], errors, draws);
     found[k].insert(found[k].end(), compared.begin(), compared.end());
   }
   std::vector<PairedFigure> pairs;

@@ -30,7 +30,8 @@ struct PairedFigure {
 /// A difference is seen where the interval leaves out 0 and, for a rate, McNemar's exact
 /// probability is below 0.05 too.
 [[nodiscard]] std::vector<PairedFigure> compare_methods(const Study& study, const Table& trials,
-                                                        const std::vector<StudyCell>& cells);
+                                                        const std::vector<StudyCell>& cells,
+                                                        StudyDraws& draws);
 
 /// "consensus succeeds more often than li2020: +12.5 % [8.1, 17.0], n 200", or "no difference
 /// seen …".

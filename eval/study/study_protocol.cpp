@@ -44,7 +44,7 @@ void add_pooled(std::vector<std::string>& lines, const Study& study,
         "mean of RMSEs. Intervals: bootstrap over trials, {} resamples, 95 %, widened as the "
         "rates' "
         "where worlds differ.",
-        names_of(study, by_kind.errors), PooledSample::kResamples));
+        names_of(study, by_kind.errors), StudyDraws::kResamples));
   }
   if (by_kind.error_m) {
     lines.push_back(

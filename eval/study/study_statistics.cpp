@@ -1,7 +1,5 @@
 #include "eval/study/study_statistics.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 
@@ -31,7 +29,8 @@ TimeFigure time_figure(const std::vector<double>& column, const std::vector<std:
 }
 
 /// The measures that are pooled over trials.
-void pool(const Study& study, const Table& trials, const StudyCell& cell, CellSummary& summary) {
+void pool(const Study& study, const Table& trials, const StudyCell& cell, StudyDraws& draws,
+          CellSummary& summary) {
   const MeasuresByKind by_kind(*study.kind);
   const auto values = [&](std::size_t measure) {
     return taken(trials.doubles(study.kind->measures[measure].name), cell.rows);
@@ -44,13 +43,14 @@ void pool(const Study& study, const Table& trials, const StudyCell& cell, CellSu
   if (by_kind.error_m) {
     pair = sample.add_square_pair(values(*by_kind.error_m), values(*by_kind.bound_m));
   }
-  sample.draw(fmt::format("cell {} {}", cell.point, study.methods[cell.method]));
+  sample.draw(draws);
   for (const std::size_t k : errors) summary.errors.push_back(sample.rms(k));
   for (const std::size_t k : means) summary.values.push_back(sample.mean(k));
   if (pair) summary.over_bound = sample.rms_ratio(*pair);
 }
 
-CellSummary summarize_cell(const Study& study, const Table& trials, const StudyCell& cell) {
+CellSummary summarize_cell(const Study& study, const Table& trials, const StudyCell& cell,
+                           StudyDraws& draws) {
   const MeasuresByKind by_kind(*study.kind);
   const auto name = [&](std::size_t measure) { return study.kind->measures[measure].name; };
   CellSummary summary;
@@ -67,7 +67,7 @@ CellSummary summarize_cell(const Study& study, const Table& trials, const StudyC
   for (const std::size_t measure : by_kind.times) {
     summary.times.push_back(time_figure(trials.doubles(name(measure)), cell.rows));
   }
-  pool(study, trials, cell, summary);
+  pool(study, trials, cell, draws, summary);
   return summary;
 }
 
@@ -123,11 +123,11 @@ std::vector<StudyCell> study_cells(const Study& study, const Table& trials) {
 }
 
 std::vector<CellSummary> summarize_cells(const Study& study, const Table& trials,
-                                         const std::vector<StudyCell>& cells) {
+                                         const std::vector<StudyCell>& cells, StudyDraws& draws) {
   std::vector<CellSummary> summaries(cells.size());
 #pragma omp parallel for schedule(dynamic)
   for (std::size_t k = 0; k < cells.size(); ++k) {
-    summaries[k] = summarize_cell(study, trials, cells[k]);
+    summaries[k] = summarize_cell(study, trials, cells[k], draws);
   }
   return summaries;
 }

@@ -70,7 +70,8 @@ struct StudyCell {
 
 /// The figures of every cell, in the order of study_cells().
 [[nodiscard]] std::vector<CellSummary> summarize_cells(const Study& study, const Table& trials,
-                                                       const std::vector<StudyCell>& cells);
+                                                       const std::vector<StudyCell>& cells,
+                                                       StudyDraws& draws);
 
 /// One a point.
 [[nodiscard]] std::vector<PointCost> point_costs(const Study& study, const Table& trials,
