@@ -1,5 +1,7 @@
 #include "eval/run/check/reference.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <set>
 #include <sstream>
@@ -114,8 +116,8 @@ void write_reference(const fs::path& file, const Reference& reference) {
   text += "table,row,column,value,tolerance\n";
   for (const CheckFigure& figure : reference.figures) {
     text += cell(figure.table) + "," + cell(figure.row) + "," + cell(figure.column) + "," +
-            cell(value_text(figure)) + "," + (figure.number ? exact_text(figure.tolerance) : "") +
-            "\n";
+            cell(value_text(figure)) + "," +
+            (figure.number ? fmt::format("{:.3g}", figure.tolerance) : "") + "\n";
   }
   write_file_safely(file, text);
 }

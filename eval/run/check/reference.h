@@ -23,7 +23,8 @@ struct Reference {
 /// stands twice, or a key that is not there.
 [[nodiscard]] Reference read_reference(const std::filesystem::path& file);
 
-/// Writes it safely; read_reference() reads it back bit for bit but for line ends in texts.
+/// Writes it safely; read_reference() reads the values back bit for bit, and tolerances to three
+/// digits.
 void write_reference(const std::filesystem::path& file, const Reference& reference);
 
 /// Names of the references in a folder: their paths without ".csv", sorted.

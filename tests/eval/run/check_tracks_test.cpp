@@ -42,10 +42,12 @@ TEST_CASE("check: a truth is found for each estimate beside it") {
   std::filesystem::create_directories(folder / "tracks");
   for (const char* name :
        {"stand_0_work", "stand_0_work_truth", "open_loam", "open_truth", "open_loam_trial1",
-        "open_truth_trial1", "tracks/trial_0_edge", "tracks/trial_0_truth", "tracks/lonely"}) {
+        "open_truth_trial1", "tracks/trial_0_edge", "tracks/trial_0_truth", "tracks/lonely",
+        "a_b_truth", "a_b_x", "a_truth"}) {
     write_tum(folder / (std::string(name) + ".tum"), bend(0.0, 0.0, 3));
   }
   const std::vector<TrackFiles> expected = {
+      {"a_b_truth.tum", "a_b_x.tum"},
       {"open_truth.tum", "open_loam.tum"},
       {"open_truth_trial1.tum", "open_loam_trial1.tum"},
       {"stand_0_work_truth.tum", "stand_0_work.tum"},
