@@ -75,13 +75,14 @@ std::string tics_of(const SweepAxis& axis, const SweepScale& scale) {
          ")";
 }
 
-/// Columns x, middle, low, high, without points that have no value.
+/// Columns x, middle, low, high, without points that have no value, or none that has a logarithm.
 std::vector<std::vector<double>> sweep_columns(const SweepCurve& curve, const SweepScale& scale,
-                                               double share) {
+                                               double share, bool log_y) {
   std::vector<std::vector<double>> columns(4);
+  const auto shown = [log_y](double y) { return std::isfinite(y) && (!log_y || y > 0.0); };
   for (const SweepPoint& point : curve.points) {
-    if (!std::isfinite(point.middle)) continue;
-    const bool ends = std::isfinite(point.low) && std::isfinite(point.high);
+    if (!shown(point.middle)) continue;
+    const bool ends = shown(point.low) && shown(point.high);
     columns[0].push_back(scale.moved(point.x, share));
     columns[1].push_back(point.middle);
     columns[2].push_back(ends ? point.low : point.middle);
@@ -95,14 +96,14 @@ std::string title_of(const SweepCurve& curve) {
 }
 
 std::vector<std::string> panel_elements(Figure& figure, const SweepPanel& panel,
-                                        const SweepScale& scale) {
+                                        const SweepScale& scale, bool log_y) {
   constexpr double kStep = 0.011;
   std::vector<std::string> elements;
   const double middle = 0.5 * (static_cast<double>(panel.curves.size()) - 1.0);
   for (std::size_t k = 0; k < panel.curves.size(); ++k) {
     const SweepCurve& curve = panel.curves[k];
     const double share = curve.reference ? 0.0 : kStep * (static_cast<double>(k) - middle);
-    const auto columns = sweep_columns(curve, scale, share);
+    const auto columns = sweep_columns(curve, scale, share, log_y);
     if (columns.front().empty()) continue;  // gnuplot refuses a block without a number
     const std::string block =
         figure.data(panel.title + " " + curve.label + ": x, value, low, high", columns);
@@ -185,7 +186,7 @@ ReportFigure draw_sweep(const std::filesystem::path& folder, const SweepFigure& 
          << "set bmargin " + number(4.2 + 1.5 * static_cast<double>(key_rows) +
                                     (has_long_words(input.axis) ? 2.0 : 0.0));
   for (const SweepPanel& panel : input.panels) {
-    const auto elements = panel_elements(figure, panel, scale);
+    const auto elements = panel_elements(figure, panel, scale, input.log_y);
     if (panels > 1) figure << "set title " + gnuplot_text(panel.title);
     if (elements.empty()) {
       if (panels > 1) figure << "set multiplot next";

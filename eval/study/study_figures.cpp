@@ -5,6 +5,7 @@
 #include <cmath>
 #include <functional>
 
+#include "eval/study/study_overviews.h"
 #include "eval/study/sweep_plan.h"
 
 namespace honka::eval {
@@ -130,12 +131,6 @@ std::string with_unit(const std::string& text, const std::string& unit) {
   return unit.empty() ? text : fmt::format("{} ({})", text, unit);
 }
 
-std::string trials_text(const Convergence& convergence) {
-  return convergence.fewest == convergence.most
-             ? fmt::format("{} trials a point", convergence.most)
-             : fmt::format("{} to {} trials a point", convergence.fewest, convergence.most);
-}
-
 DrawnQuantity drawn_rate(const Study& study, const StudySummary& summary, std::size_t measure) {
   DrawnQuantity what;
   what.name = study.kind->measures[measure].name;
@@ -197,7 +192,8 @@ DrawnQuantity drawn_cost(const StudySummary& summary, bool memory) {
                          : "median, whisker to the 95th percentile; logarithmic";
   what.y_label = memory ? "memory (MB)" : "wall time (s)";
   what.log_y = !memory;
-  what.caption = memory ? "" : "All methods, and the world of the trial if it had to be made.";
+  what.caption = memory ? "Of one worker; as many run at once as there are threads."
+                        : "All methods, and the world of the trial if it had to be made.";
   what.value = [&costs, memory](const CellSummary& cell) {
     const PointCost& cost = costs.at(static_cast<std::size_t>(cell.point));
     if (!memory) return time_point(cost.wall_s);
@@ -206,59 +202,6 @@ DrawnQuantity drawn_cost(const StudySummary& summary, bool memory) {
     return point;
   };
   return what;
-}
-
-ReportFigure draw_heat(const std::filesystem::path& folder, const Study& study,
-                       const StudySummary& summary, const SweepPlan& plan) {
-  const MeasuresByKind by_kind(*study.kind);
-  const Measure& measure = study.kind->measures[by_kind.rates.front()];
-  HeatFigure figure;
-  figure.name = measure.name + "_map";
-  figure.title = measure.long_name;
-  figure.protocol = "percent of all trials, 95 % intervals";
-  figure.x_label = plan.axis.label;
-  figure.y_label = plan.curve_label;
-  figure.colour_label = measure.name + " (%)";
-  figure.columns = plan.columns;
-  figure.rows = plan.curves;
-  figure.caption = trials_text(summary.convergence) + ". One scale of colours for every method.";
-  for (std::size_t method = 0; method < study.methods.size(); ++method) {
-    HeatPanel& panel = figure.panels.emplace_back();
-    panel.title = study.methods[method];
-    for (const CellSummary& cell : summary.cells) {
-      if (cell.method != method || cell.trials == 0) continue;
-      const SweepPlace& place = plan.places.at(static_cast<std::size_t>(cell.point));
-      const RateFigure& rate = cell.rates.front();
-      panel.cells.push_back({place.column, place.curve, 100.0 * rate.rate,
-                             100.0 * rate.interval.low, 100.0 * rate.interval.high});
-    }
-  }
-  return draw_heat_map(folder, figure);
-}
-
-ReportFigure draw_convergence(const std::filesystem::path& folder, const Study& study,
-                              const Convergence& convergence) {
-  SweepFigure figure;
-  figure.name = "convergence";
-  figure.title = "How the intervals narrow";
-  figure.protocol = "half of the widest 95 % interval of any point, by trials";
-  figure.caption = convergence_line(study, convergence);
-  figure.y_label = "half of the interval (%)";
-  figure.axis.label = "trials at each point";
-  figure.log_y = true;
-  SweepPanel& panel = figure.panels.emplace_back();
-  for (std::size_t method = 0; method < study.methods.size(); ++method) {
-    SweepCurve& curve = panel.curves.emplace_back();
-    curve.label = study.methods[method];
-    curve.style = method;
-    for (const ConvergenceFigure& one : convergence.curve) {
-      if (one.method != method) continue;
-      const double trials = static_cast<double>(one.trials);
-      curve.points.push_back({trials, 100.0 * one.rate.half_width()});
-      figure.axis.numbers.push_back(trials);
-    }
-  }
-  return draw_sweep(folder, figure);
 }
 
 bool any_error(const StudySummary& summary, std::size_t k) {
@@ -280,7 +223,7 @@ std::vector<ReportFigure> draw_study_figures(const std::filesystem::path& folder
   };
   if (!by_kind.rates.empty()) {
     if (plan.two_axes() && plan.slices.size() == 1) {
-      figures.push_back(draw_heat(folder, study, summary, plan));
+      figures.push_back(draw_rate_map(folder, study, summary));
     }
     draw(drawn_rate(study, summary, by_kind.rates.front()));
   }
