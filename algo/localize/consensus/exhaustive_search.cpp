@@ -81,35 +81,68 @@ class TurnVotes {
   void prepare(const std::vector<Eigen::Vector2d>& map_m) {
     width_ = static_cast<std::uint32_t>((high_m_ - low_m_).x() / kVoteCell_m) + 2;
     height_ = static_cast<std::uint32_t>((high_m_ - low_m_).y() / kVoteCell_m) + 2;
-    votes_.resize(std::size_t{width_} * height_);
+    votes_.resize(std::size_t{width_ + 2} * (height_ + 2));
+    window_.resize(width_);
     for (const Eigen::Vector2d& p : map_m) {
-      map_cells_.push_back(((p - low_m_) / kVoteCell_m).cast<float>());
+      const Eigen::Vector2d cell = (p - low_m_) / kVoteCell_m;
+      map_x_.push_back(static_cast<float>(cell.x()));
+      map_y_.push_back(static_cast<float>(cell.y()));
+    }
+    slots_.resize(map_m.size());
+  }
+
+  /// A frame of cells around the box takes the votes outside it, so that no vote is asked where it
+  /// falls: numbers of slots first, many at a time, then the counts.
+  void vote(int turn) {
+    std::fill(votes_.begin(), votes_.end(), std::int16_t{0});
+    for (const Eigen::Vector2d& q : stems_m_) {
+      const Eigen::Vector2f at = (placement(turn).turned(q) / kVoteCell_m).cast<float>();
+      number_slots(at);
+      for (const std::int32_t slot : slots_) ++votes_[static_cast<std::size_t>(slot)];
     }
   }
 
-  void vote(int turn) {
-    std::fill(votes_.begin(), votes_.end(), std::uint16_t{0});
-    for (const Eigen::Vector2d& q : stems_m_) {
-      const Eigen::Vector2f at = (placement(turn).turned(q) / kVoteCell_m).cast<float>();
-      for (const Eigen::Vector2f& p : map_cells_) {
-        const float x = p.x() - at.x();
-        const float y = p.y() - at.y();
-        const auto column = static_cast<std::uint32_t>(static_cast<std::int32_t>(x));
-        const auto row = static_cast<std::uint32_t>(static_cast<std::int32_t>(y));
-        if (column < width_ && row < height_) ++votes_[std::size_t{row} * width_ + column];
-      }
+  /// Of the votes of a turned stem; whole numbers in float, which four at a time are made of.
+  void number_slots(const Eigen::Vector2f& at) {
+    const auto within = [](float value, float most) {
+      const float low = value > -1.0F ? value : -1.0F;
+      return low < most ? low : most;
+    };
+    const float at_x = at.x();
+    const float at_y = at.y();
+    const auto columns = static_cast<float>(width_);
+    const auto rows = static_cast<float>(height_);
+    const float stride = columns + 2.0F;
+    const float* x = map_x_.data();
+    const float* y = map_y_.data();
+    std::int32_t* slots = slots_.data();
+    const std::size_t count = slots_.size();
+    for (std::size_t k = 0; k < count; ++k) {
+      const auto column = static_cast<std::int32_t>(within(x[k] - at_x, columns));
+      const auto row = static_cast<std::int32_t>(within(y[k] - at_y, rows));
+      slots[k] = static_cast<std::int32_t>((static_cast<float>(row) + 1.0F) * stride +
+                                           (static_cast<float>(column) + 1.0F));
     }
   }
 
   void keep_peaks(int turn) {
-    const int stems = static_cast<int>(stems_m_.size());
     for (std::uint32_t row = 0; row + 1 < height_; ++row) {
-      const std::uint16_t* here = &votes_[std::size_t{row} * width_];
-      const std::uint16_t* above = here + width_;
+      const std::int16_t* here = &votes_[std::size_t{row + 1} * (width_ + 2) + 1];
+      const std::int16_t* above = here + width_ + 2;
+      std::int16_t most = 0;
       for (std::uint32_t c = 0; c + 1 < width_; ++c) {
-        const int votes = here[c] + here[c + 1] + above[c] + above[c + 1];
-        if (votes >= least_) add({std::min(votes, stems), turn, row * width_ + c});
+        window_[c] = static_cast<std::int16_t>(here[c] + here[c + 1] + above[c] + above[c + 1]);
+        most = std::max(most, window_[c]);
       }
+      if (most >= least_) keep_row(turn, row);
+    }
+  }
+
+  void keep_row(int turn, std::uint32_t row) {
+    const int stems = static_cast<int>(stems_m_.size());
+    for (std::uint32_t c = 0; c + 1 < width_; ++c) {
+      if (window_[c] < least_) continue;
+      add({std::min<int>(window_[c], stems), turn, row * width_ + c});
     }
   }
 
@@ -126,8 +159,9 @@ class TurnVotes {
   Eigen::Vector2d low_m_, high_m_;
   int turns_ = 0;
   std::uint32_t width_ = 0, height_ = 0;
-  std::vector<Eigen::Vector2f> map_cells_;
-  std::vector<std::uint16_t> votes_;
+  std::vector<float> map_x_, map_y_;  ///< in cells
+  std::vector<std::int32_t> slots_;   ///< of one stem's votes
+  std::vector<std::int16_t> votes_, window_;
   std::vector<Peak> peaks_;  ///< a heap, the lowest at the front
   int least_ = 3;
 };
