@@ -10,20 +10,6 @@
 namespace honka::eval {
 namespace {
 
-LinkMapQuality floor_of(const SlamDrive& drive, const ReceivedFrames& received,
-                        const SlamSettings& settings) {
-  if (received.empty()) return {};
-  FramePoses T_first_frame;
-  const auto first = static_cast<std::size_t>(received.frames().front().number);
-  const Pose3 T_first_truth = drive.true_T_first_frame[first].inverse();
-  for (const SparseFrame& frame : received.frames()) {
-    const auto number = static_cast<std::size_t>(frame.number);
-    T_first_frame.push_back(T_first_truth * drive.true_T_first_frame[number]);
-  }
-  const StemMap3 stems = build_stem_map(received.frames(), T_first_frame, settings.stem_map);
-  return judge_link_map(drive, received.frames(), T_first_frame, stems.stems);
-}
-
 /// Calls work(0) … work(count − 1) on so many threads; what one throws comes out at the end.
 template <class Work>
 void for_each_job(std::size_t count, int threads, const Work& work) {
@@ -45,6 +31,20 @@ void for_each_job(std::size_t count, int threads, const Work& work) {
 FramePoses edge_poses_of(const SlamDrive& drive, const Scenario& scenario) {
   if (scenario.link.edge_poses == "odometry") return drive.edge_T_first_frame;
   return make_chain(drive.frames, scenario.slam.chain).T_first_frame;
+}
+
+LinkMapQuality link_floor(const SlamDrive& drive, std::span<const SparseFrame> frames,
+                          const SlamSettings& settings) {
+  if (frames.empty()) return {};
+  FramePoses T_first_frame;
+  const auto first = static_cast<std::size_t>(frames.front().number);
+  const Pose3 T_first_truth = drive.true_T_first_frame[first].inverse();
+  for (const SparseFrame& frame : frames) {
+    const auto number = static_cast<std::size_t>(frame.number);
+    T_first_frame.push_back(T_first_truth * drive.true_T_first_frame[number]);
+  }
+  const StemMap3 stems = build_stem_map(frames, T_first_frame, settings.stem_map);
+  return judge_link_map(drive, frames, T_first_frame, stems.stems);
 }
 
 std::uint64_t link_seed(const Scenario& scenario, std::int64_t trial) {
@@ -84,8 +84,9 @@ LinkTrial study_links(const SlamDrive& drive, const Scenario& scenario, std::int
   }
   // 2. The cloud maps what it received; the truth judges.
   std::vector<LinkMapQuality> floors(received.size());
-  for_each_job(received.size(), threads,
-               [&](std::size_t i) { floors[i] = floor_of(drive, received[i], scenario.slam); });
+  for_each_job(received.size(), threads, [&](std::size_t i) {
+    floors[i] = link_floor(drive, received[i].frames(), scenario.slam);
+  });
   for_each_job(result.rows.size(), threads, [&](std::size_t i) {
     result.rows[i].floor = floors[i / methods.size()];
     map_over_link(drive, received[i / methods.size()], scenario.slam, result.rows[i]);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -29,6 +30,10 @@ struct LinkRow {
 
 /// The poses that a drive's messages carry: link.study.edge_poses.
 [[nodiscard]] FramePoses edge_poses_of(const SlamDrive& drive, const Scenario& scenario);
+
+/// How good the map of these frames of a drive would be at their true poses.
+[[nodiscard]] LinkMapQuality link_floor(const SlamDrive& drive, std::span<const SparseFrame> frames,
+                                        const SlamSettings& settings);
 
 /// Names the chances of the links of a trial.
 [[nodiscard]] std::uint64_t link_seed(const Scenario& scenario, std::int64_t trial);
