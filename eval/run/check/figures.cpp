@@ -141,7 +141,10 @@ FigureSpread spread_of(const std::vector<Leaf>& leaves, const Json& row, const L
   spread.trials = trials_of(row);
   spread.success_rate = number_of(row, "success_rate");
   for (const Leaf& other : leaves) {
-    if (is_interval_of(other.name, leaf.name)) spread.interval = interval_in(other.value);
+    // "wrong_interval" is that of the rate beside the count "wrong".
+    if (!spread.is_count && is_interval_of(other.name, leaf.name)) {
+      spread.interval = interval_in(other.value);
+    }
     const bool of_mean = leaf.name.ends_with(".mean") &&
                          other.name == leaf.name.substr(0, leaf.name.size() - 4) + "std";
     if (of_mean && other.value.is_number()) spread.standard_deviation = other.value.get<double>();

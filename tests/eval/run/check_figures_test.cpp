@@ -103,14 +103,17 @@ TEST_CASE("check: a row's interval, trials and s.d. make the tolerances of its f
                               {"success_rate", 0.5},
                               {"success_interval", {0.45, 0.53}},
                               {"wrong_rate", 0.0},
+                              {"refused_rate", 0.0},
                               {"error_m", {{"mean", 0.2}, {"std", 0.1}, {"max", 1.0}}},
                               {"wrong", 0},
+                              {"wrong_interval", {0.0, 0.0077}},
                               {"blur", 2.0}}}));
   CHECK(figure_at(figures, "method=x", "success_rate").tolerance == Approx(0.05));
   // Wilson's interval of 0 of 500 ends at z²/(n + z²).
   const double z2 = 1.959964 * 1.959964;
-  CHECK(figure_at(figures, "method=x", "wrong_rate").tolerance ==
+  CHECK(figure_at(figures, "method=x", "refused_rate").tolerance ==
         Approx(z2 / (500 + z2)).epsilon(1e-5));
+  CHECK(figure_at(figures, "method=x", "wrong_rate").tolerance == Approx(0.0077));
   CHECK(figure_at(figures, "method=x", "error_m.mean").tolerance ==
         Approx(1.96 * 0.1 / std::sqrt(250.0)));
   CHECK(figure_at(figures, "method=x", "error_m.max").tolerance == Approx(0.25));
