@@ -42,6 +42,14 @@ bool has_paper(const ReportTable& table, std::size_t column) {
   });
 }
 
+/// A column of sentences or commands, which read from the left and may break.
+bool holds_sentences(const ReportTable& table, std::size_t column) {
+  constexpr std::size_t kLongest = 40;  // letters of a name or of two numbers
+  return column > 0 && std::any_of(table.rows.begin(), table.rows.end(), [&](const auto& row) {
+           return column < row.size() && row[column].text.size() > kLongest;
+         });
+}
+
 std::string header_cell(const ReportHeader& header, const std::string& attributes) {
   std::string html = "<th" + attributes + ">" + html_escaped(header.name);
   if (!header.unit.empty()) html += "<span class=\"unit\">" + html_escaped(header.unit) + "</span>";
@@ -58,18 +66,34 @@ std::string table_head(const ReportTable& table) {
       upper += header_cell(table.headers[i], " class=\"group first\" colspan=\"3\"");
       lower += "<th class=\"first\">paper</th><th>ours</th><th>diff.</th>";
     } else {
-      upper += header_cell(table.headers[i], any ? " rowspan=\"2\"" : "");
+      const std::string kind = holds_sentences(table, i) ? " class=\"sentence\"" : "";
+      upper += header_cell(table.headers[i], kind + (any ? " rowspan=\"2\"" : ""));
     }
   }
   return "<thead>" + upper + "</tr>" + (any ? lower + "</tr>" : "") + "</thead>\n";
 }
 
-std::string table_row(const ReportTable& table, const std::vector<ReportCell>& row) {
+/// What a column looks like.
+struct ColumnLook {
+  bool paper = false, sentences = false;
+};
+
+std::vector<ColumnLook> column_looks(const ReportTable& table) {
+  std::vector<ColumnLook> looks;
+  std::size_t columns = table.headers.size();
+  for (const auto& row : table.rows) columns = std::max(columns, row.size());
+  for (std::size_t i = 0; i < columns; ++i) {
+    looks.push_back({has_paper(table, i), holds_sentences(table, i)});
+  }
+  return looks;
+}
+
+std::string table_row(const std::vector<ColumnLook>& looks, const std::vector<ReportCell>& row) {
   std::string html = "<tr>";
   for (std::size_t i = 0; i < row.size(); ++i) {
     const std::string text = html_escaped(row[i].text);
-    if (!has_paper(table, i)) {
-      html += "<td>" + text + "</td>";
+    if (!looks[i].paper) {
+      html += (looks[i].sentences ? "<td class=\"sentence\">" : "<td>") + text + "</td>";
       continue;
     }
     const std::string& paper = row[i].paper;
@@ -86,7 +110,8 @@ std::string table_html(const ReportTable& table) {
     html += "<p class=\"protocol\">" + html_escaped(table.protocol) + "</p>\n";
   }
   html += "<div class=\"scroll\"><table>" + table_head(table) + "<tbody>\n";
-  for (const auto& row : table.rows) html += table_row(table, row);
+  const std::vector<ColumnLook> looks = column_looks(table);
+  for (const auto& row : table.rows) html += table_row(looks, row);
   html += "</tbody></table></div>\n";
   if (!table.notes.empty()) html += "<div class=\"notes\">" + list_of(table.notes) + "</div>\n";
   return html;

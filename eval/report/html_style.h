@@ -32,6 +32,8 @@ thead .group { border-bottom: 1px solid var(--line); text-align: center; }
 .unit { display: block; font-weight: 400; color: var(--soft); font-size: .82em; }
 tbody td { border-bottom: 1px solid var(--line); }
 tbody tr:hover td { background: var(--tint); }
+th.sentence, td.sentence { text-align: left; white-space: normal; min-width: 20rem;
+                           overflow-wrap: anywhere; }
 td.paper { color: var(--soft); }
 td.ours { font-weight: 600; }
 td.diff { color: var(--soft); font-size: .9em; }

@@ -7,6 +7,8 @@
 namespace honka::eval {
 namespace {
 
+constexpr std::int64_t kFewestPairs = 10;  // a bootstrap of fewer is too narrow
+
 /// The same trials by two methods.
 struct SharedTrials {
   std::optional<std::int64_t> point;
@@ -57,6 +59,7 @@ PairedFigure pair_of(const SharedTrials& shared, std::size_t measure) {
 /// The method that the sign of the difference speaks for.
 std::optional<std::size_t> better_of(const PairedFigure& pair, bool less_is_better) {
   constexpr double kSignificant = 0.05;
+  if (pair.n < kFewestPairs) return std::nullopt;
   if (!pair.interval || pair.mcnemar.value_or(0.0) >= kSignificant) return std::nullopt;
   if (pair.interval->low <= 0.0 && pair.interval->high >= 0.0) return std::nullopt;
   const bool second_is_less = *pair.difference < 0.0;
@@ -86,7 +89,8 @@ PairedFigure compare_rate(const Study& study, const Table& trials, const SharedT
   const auto first_less_second =
       paired_rate_interval(counts, cluster_spread(differences, shared.worlds).widening);
   pair.interval = Interval{-first_less_second->high, -first_less_second->low};
-  pair.mcnemar = mcnemar_exact(counts);
+  // Trials of the same number at several points are not independent.
+  if (pair.point || study.points.size() == 1) pair.mcnemar = mcnemar_exact(counts);
   pair.counts = counts;
   pair.better = better_of(pair, what.less_is_better);
   return pair;
@@ -177,8 +181,10 @@ std::string verdict_of(const Study& study, const PairedFigure& pair) {
     return fmt::format("{} and {}: no trial has both, n 0 of {}", first, second, pair.of);
   }
   if (!pair.better) {
-    return fmt::format("no difference seen between {} and {}: {}", first, second,
-                       difference_text(study, pair, pair.second));
+    return fmt::format(
+        "{} {} and {}: {}",
+        pair.n < kFewestPairs ? "too few trials to tell" : "no difference seen between", first,
+        second, difference_text(study, pair, pair.second));
   }
   const std::string& winner = study.methods[*pair.better];
   const std::string& other = *pair.better == pair.first ? second : first;

@@ -20,15 +20,15 @@ struct PairedFigure {
   std::optional<Interval> interval;                 ///< 95 %
   std::int64_t n = 0, of = 0;                       ///< trials compared, of all
   std::optional<PairedCounts> counts;               ///< of a rate
-  std::optional<double> mcnemar;                    ///< exact probability, of a rate
+  std::optional<double> mcnemar;                    ///< exact probability, of a rate at one point
   std::optional<std::size_t> better;                ///< the method, where a difference is seen
 };
 
 /// Every two methods, over all points and then at each: the first rate, and the errors but for the
 /// bound. Empty for one method.
 ///
-/// A difference is seen where the interval leaves out 0 and, for a rate, McNemar's exact
-/// probability is below 0.05 too.
+/// A difference is seen where ten trials or more are compared, the interval leaves out 0 and, for a
+/// rate at one point, McNemar's exact probability is below 0.05 too.
 [[nodiscard]] std::vector<PairedFigure> compare_methods(const Study& study, const Table& trials,
                                                         const std::vector<StudyCell>& cells,
                                                         StudyDraws& draws);

@@ -81,8 +81,10 @@ std::vector<std::string> study_protocol(const Study& study) {
     lines.push_back(
         "Differences between methods are taken trial by trial: rates with Newcombe's interval for "
         "pairs (1998, method 10), errors as RMSE − RMSE over the trials in which both have one, "
-        "bootstrap. A difference is called seen where the 95 % interval leaves out 0 and, for "
-        "rates, McNemar's exact p is below 0.05; of twenty points without one, one is to be "
+        "bootstrap. A difference is called seen where it is of ten trials or more, the 95 % "
+        "interval "
+        "leaves out 0 and, for rates at one point, McNemar's exact p is below 0.05; of twenty "
+        "points without one, one is to be "
         "expected to show it.");
   }
   if (settings.stop_half_width > 0.0) {

@@ -64,6 +64,7 @@ ReportModel report_of(const Study& study, const Table& trials, const StudySummar
   report.tables.push_back(study_result_table(study, summary));
   if (!summary.pairs.empty()) report.tables.push_back(study_pair_table(study, summary));
   report.tables.push_back(worst_trials(study, trials));
+  report.tables.push_back(study_error_table(study, summary));
   report.tables.push_back(study_cost_table(study, summary));
   report.protocol = protocol;
   report.scenario_text = to_toml(scenario);

@@ -69,20 +69,15 @@ void add_result_headers(ReportTable& table, const Study& study, const MeasuresBy
   }
   table.headers.push_back({"trials"});
   table.headers.push_back({"failed"});
-  for (const std::size_t k : by_kind.errors) {
-    table.headers.push_back({measure_header(measures[k]).name + " RMSE", measures[k].unit});
-    table.headers.push_back({"95 % interval", measures[k].unit});
+  if (!by_kind.errors.empty()) {
+    const Measure& error = measures[by_kind.errors.front()];
+    table.headers.push_back(measure_header(error));
   }
   if (by_kind.error_m) table.headers.push_back({"error / bound"});
-  for (const std::size_t k : by_kind.values) table.headers.push_back(measure_header(measures[k]));
-  for (const std::size_t k : by_kind.times) {
-    table.headers.push_back({measure_header(measures[k]).name + " p50 / p95", measures[k].unit});
+  if (!by_kind.times.empty()) {
+    const Measure& time = measures[by_kind.times.front()];
+    table.headers.push_back({measure_header(time).name + " p50 / p95", time.unit});
   }
-}
-
-std::string interval_text(const std::optional<Interval>& interval) {
-  if (!interval) return "–";
-  return fmt::format("{} – {}", short_number(interval->low), short_number(interval->high));
 }
 
 std::vector<ReportCell> result_row(const Study& study, const MeasuresByKind& by_kind,
@@ -94,14 +89,17 @@ std::vector<ReportCell> result_row(const Study& study, const MeasuresByKind& by_
   }
   row.push_back({fmt::format("{}", cell.trials)});
   row.push_back({failed_text(cell)});
-  for (const PooledFigure& error : cell.errors) {
-    row.push_back({short_number(error.value)});
-    row.push_back({interval_text(error.interval)});
-  }
+  if (!cell.errors.empty()) row.push_back({short_number(cell.errors.front().value)});
   if (by_kind.error_m) row.push_back({short_number(cell.over_bound.value)});
-  for (const PooledFigure& value : cell.values) row.push_back({short_number(value.value)});
-  for (const TimeFigure& time : cell.times) row.push_back({short_time(time)});
+  if (!cell.times.empty()) row.push_back({short_time(cell.times.front())});
   return row;
+}
+
+/// "0.0449 [0.0325 – 0.0576]".
+std::string pooled_text(const PooledFigure& figure) {
+  if (!figure.interval) return short_number(figure.value);
+  return fmt::format("{} [{} – {}]", short_number(figure.value), short_number(figure.interval->low),
+                     short_number(figure.interval->high));
 }
 
 /// A point | method | rate [interval] | error | time.
@@ -157,12 +155,37 @@ ReportTable study_result_table(const Study& study, const StudySummary& summary) 
   table.title = "Results";
   table.protocol = fmt::format(
       "up to {} trials at each of {} points; rates over all trials, failed "
-      "ones too; errors over the trials that have one",
+      "ones too; errors: RMSE over the trials that have one",
       summary.convergence.most, study.points.size());
   table.headers = axis_headers(study);
   add_result_headers(table, study, by_kind);
   for (const CellSummary& cell : summary.cells) {
     table.rows.push_back(result_row(study, by_kind, cell));
+  }
+  return table;
+}
+
+ReportTable study_error_table(const Study& study, const StudySummary& summary) {
+  const MeasuresByKind by_kind(*study.kind);
+  ReportTable table;
+  table.title = "Errors and means";
+  table.protocol = "errors: RMSE; the others: means; over the trials that have one; 95 % intervals";
+  table.headers = axis_headers(study);
+  for (const std::size_t k : by_kind.errors) {
+    table.headers.push_back(measure_header(study.kind->measures[k]));
+  }
+  for (const std::size_t k : by_kind.values) {
+    table.headers.push_back(measure_header(study.kind->measures[k]));
+  }
+  if (!by_kind.errors.empty()) table.headers.push_back({"n of N"});
+  for (const CellSummary& cell : summary.cells) {
+    auto row = axis_cells(study, cell.point, study.methods[cell.method]);
+    for (const PooledFigure& error : cell.errors) row.push_back({pooled_text(error)});
+    for (const PooledFigure& value : cell.values) row.push_back({pooled_text(value)});
+    if (!cell.errors.empty()) {
+      row.push_back({fmt::format("{} of {}", cell.errors.front().n, cell.trials)});
+    }
+    table.rows.push_back(std::move(row));
   }
   return table;
 }

@@ -8,8 +8,11 @@
 
 namespace honka::eval {
 
-/// A row a point and method: rates, errors, error over bound, time.
+/// A row a point and method: rates, the first error, error over bound, time.
 [[nodiscard]] ReportTable study_result_table(const Study& study, const StudySummary& summary);
+
+/// Every error and mean with its interval, a row a point and method.
+[[nodiscard]] ReportTable study_error_table(const Study& study, const StudySummary& summary);
 
 /// A row a comparison of two methods, with its verdict.
 [[nodiscard]] ReportTable study_pair_table(const Study& study, const StudySummary& summary);

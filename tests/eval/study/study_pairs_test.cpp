@@ -96,6 +96,14 @@ TEST_CASE("failed trials stay in the comparison; all failed compare nothing but 
   CHECK(verdict_of(study, pairs[1]) == "plain and robust: no trial has both, n 0 of 4");
 }
 
+TEST_CASE("of fewer than ten trials no difference is called seen") {
+  const Study nine = hand_study(9, 9), ten = hand_study(10, 10);
+  const PairedFigure few = compared(nine, counted_table(nine, 9, 0, 0, 0))[1];
+  CHECK_FALSE(few.better);
+  CHECK(verdict_of(nine, few).find("too few trials to tell plain and robust: −1.18") == 0);
+  CHECK(compared(ten, counted_table(ten, 10, 0, 0, 0))[1].better == 1u);
+}
+
 TEST_CASE("points are compared together first, then one by one") {
   const Study study = hand_study({{"sighting.noise_m", {0.1, 0.2}, ""}}, 30, 30);
   std::vector<TrialRecord> records;
@@ -108,6 +116,8 @@ TEST_CASE("points are compared together first, then one by one") {
   REQUIRE(pairs.size() == 6);
   CHECK_FALSE(pairs[0].point);
   CHECK(pairs[0].n == 60);
+  CHECK_FALSE(pairs[0].mcnemar);  // both points have the same trials
+  CHECK(*pairs[4].mcnemar == Approx(2.0 / 32768.0));
   CHECK(*pairs[0].difference == Approx(0.25));
   CHECK(pairs[2].point == 0);
   CHECK(*pairs[2].difference == 0.0);
