@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <functional>
 
@@ -55,6 +56,8 @@ SweepCurve curve_of(const SweepPlan& plan, const StudySummary& summary, const Ce
     point.x = plan.places.at(static_cast<std::size_t>(cell.point)).x;
     drawn_curve.points.push_back(point);
   }
+  std::stable_sort(drawn_curve.points.begin(), drawn_curve.points.end(),
+                   [](const SweepPoint& a, const SweepPoint& b) { return a.x < b.x; });
   return drawn_curve;
 }
 

@@ -19,10 +19,6 @@ Json json_interval(const std::optional<Interval>& interval) {
   return Json::array({json_number(interval->low), json_number(interval->high)});
 }
 
-Json json_value(const Value& value) {
-  return std::visit([](const auto& held) { return Json(held); }, value);
-}
-
 void put_axes(Json& row, const Study& study, std::optional<std::int64_t> point) {
   row["point"] = point ? Json(*point) : Json(nullptr);
   for (std::size_t k = 0; k < study.axes().size(); ++k) {
@@ -129,6 +125,10 @@ SummaryTable table_with(std::vector<Json> rows, const std::string& protocol) {
 }
 
 }  // namespace
+
+Json json_value(const Value& value) {
+  return std::visit([](const auto& held) { return Json(held); }, value);
+}
 
 StudySummary summarize_study(const Study& study, const Table& trials) {
   const std::vector<StudyCell> cells = study_cells(study, trials);

@@ -27,6 +27,9 @@ struct StudySummary {
 [[nodiscard]] std::map<std::string, SummaryTable> study_json(
     const Study& study, const StudySummary& summary, const std::vector<std::string>& protocol);
 
+/// The value of a key.
+[[nodiscard]] Json json_value(const Value& value);
+
 /// Over all points together: the rates of each method, failed trials, the widest interval.
 [[nodiscard]] std::map<std::string, Metric> study_metrics(const Study& study, const Table& trials,
                                                           const StudySummary& summary);

@@ -54,6 +54,24 @@ std::vector<std::string> lead_notes(const Study& study, const StudySummary& summ
   return notes;
 }
 
+/// What varies, as a scenario says it: numbers in a list, words in one text.
+std::string axes_toml(const Study& study) {
+  std::string text = "\n[study.vary]\n";
+  for (const StudyAxis& axis : study.axes()) {
+    std::vector<std::string> values;
+    bool words = false;
+    for (const Value& value : axis.values) {
+      const auto* word = std::get_if<std::string>(&value);
+      words = words || word != nullptr || std::holds_alternative<bool>(value);
+      values.push_back(word ? *word : format_value(value));
+    }
+    const std::string list = fmt::format("{}", fmt::join(values, ", "));
+    text += words ? fmt::format("{} = \"{}\"\n", axis.key, list)
+                  : fmt::format("{} = [{}]\n", axis.key, list);
+  }
+  return text;
+}
+
 ReportModel report_of(const Study& study, const Table& trials, const StudySummary& summary,
                       const std::vector<std::string>& protocol) {
   const Scenario& scenario = study.base.scenario;
@@ -67,7 +85,7 @@ ReportModel report_of(const Study& study, const Table& trials, const StudySummar
   report.tables.push_back(study_error_table(study, summary));
   report.tables.push_back(study_cost_table(study, summary));
   report.protocol = protocol;
-  report.scenario_text = to_toml(scenario);
+  report.scenario_text = to_toml(scenario) + axes_toml(study);
   return report;
 }
 
@@ -82,6 +100,10 @@ StudyOutcome write_study_results(const Study& study, const Table& trials, const 
   summary.results_digest = results_digest({&trials});
   write_trials_h5(folder / "trials.h5", summary.context, trials, Table());
   summary.scenario = resolved_keys(study.base.scenario);
+  for (const StudyAxis& axis : study.axes()) {
+    Json& values = summary.scenario[fmt::format("study.vary.{}", axis.key)] = Json::array();
+    for (const Value& value : axis.values) values.push_back(json_value(value));
+  }
   summary.scenario_hash = study.base.hash;
   summary.tables = study_json(study, figures_of, protocol);
   summary.metrics = study_metrics(study, trials, figures_of);

@@ -90,6 +90,9 @@ TEST_CASE("a study's folder: summary by the interface's keys, trials.h5, report 
         Approx(plain["translation_error_m"].get<double>() / 0.1));
   CHECK(plain["time_ms"]["p50"] == 1.5);
   CHECK(plain["resident_mb"] == 50.0);
+  CHECK(json["scenario"]["study.vary.sighting.noise_m"] == nlohmann::json({0.1, 0.2, 0.4}));
+  CHECK(json["report"]["scenario_text"].get<std::string>().find(
+            "[study.vary]\nsighting.noise_m = [0.1, 0.2, 0.4]\n") != std::string::npos);
   CHECK(json["tables"]["paired"]["rows"].size() == 8);
   CHECK(json["tables"]["convergence"]["rows"].size() > 4);
   CHECK(json["metrics"]["failed_trials"]["value"] == 3.0);
@@ -142,7 +145,8 @@ TEST_CASE("studies of two and three axes, of words and of lists are drawn") {
   figures_of(list, 6);
 }
 
-TEST_CASE("no success, one trial and nothing but failures are results too; what is not there is null") {
+TEST_CASE(
+    "no success, one trial and nothing but failures are results too; what is not there is null") {
   const auto written = [](const Study& study, const std::vector<TrialRecord>& records) {
     const TemporaryFolder folder;
     (void)write_study_results(study, study_table(study, records), Context(1, 1), folder.path(), "");
