@@ -17,9 +17,9 @@ namespace {
 SbatchOptions plain_options() {
   SbatchOptions options;
   options.program = "/opt/honka";
-  options.scenario = "/home/me/scenarios/robustness/stem_noise.toml";
+  options.scenario = "/data/me/scenarios/robustness/stem_noise.toml";
   options.folder = "/scratch/stem_noise";
-  options.working_folder = "/home/me";
+  options.working_folder = "/data/me";
   options.shards = 4;
   options.threads = 2;
   return options;
@@ -75,7 +75,7 @@ TEST_CASE("sbatch: an array of shards that may begin again, a merge behind it") 
         "#SBATCH --requeue\n", "#SBATCH --time=02:00:00\n", "#SBATCH --mem=8G\n",
         "#SBATCH --signal=B:TERM@60\n", "#SBATCH --partition=long\n", "#SBATCH --account=me\n",
         "#SBATCH --job-name=honka-stem_noise\n",
-        "/opt/honka study /home/me/scenarios/robustness/stem_noise.toml --trials 500 "
+        "/opt/honka study /data/me/scenarios/robustness/stem_noise.toml --trials 500 "
         "--shard \"$SLURM_ARRAY_TASK_ID\"/4 --threads \"$SLURM_CPUS_PER_TASK\" "
         "--out /scratch/stem_noise &\n"}) {
     CHECK_THAT(scripts.array, Catch::Contains(line));
@@ -87,7 +87,7 @@ TEST_CASE("sbatch: an array of shards that may begin again, a merge behind it") 
   CHECK_THAT(scripts.submit, Catch::Contains("--dependency=\"afterany:$array\""));
   CHECK_THAT(sbatch_scripts(plain_options()).array, !Catch::Contains("--signal"));
   CHECK(parallel_commands(plain_options()) ==
-        "seq 0 3 | parallel -j 1 '/opt/honka study /home/me/scenarios/robustness/stem_noise.toml "
+        "seq 0 3 | parallel -j 1 '/opt/honka study /data/me/scenarios/robustness/stem_noise.toml "
         "--shard {}/4 --threads 2 --out /scratch/stem_noise'\n"
         "/opt/honka study merge /scratch/stem_noise\n");
 }
