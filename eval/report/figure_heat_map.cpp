@@ -7,9 +7,13 @@
 namespace honka::eval {
 namespace {
 
+constexpr std::size_t kReadable = 14;  // cells beside each other that can hold numbers
+
+/// Of larger grids every so many.
 std::string grid_tics(const std::string& axis, const std::vector<std::string>& values) {
   std::string tics;
-  for (std::size_t k = 0; k < values.size(); ++k) {
+  const std::size_t step = 1 + (values.size() - 1) / kReadable;
+  for (std::size_t k = 0; k < values.size(); k += step) {
     std::string label;
     for (const char c : values[k]) label += c == '%' ? "%%" : std::string(1, c);
     tics += (k > 0 ? ", " : "") + gnuplot_text(label) + " " + std::to_string(k);
@@ -30,7 +34,7 @@ double darkest(const HeatFigure& input) {
   return least >= 50.0 ? std::min(90.0, 10.0 * std::floor(least / 10.0)) : 0.0;
 }
 
-void draw_panel(Figure& figure, const HeatPanel& panel, double white_below) {
+void draw_panel(Figure& figure, const HeatPanel& panel, double white_below, bool numbers) {
   std::vector<std::vector<double>> columns(5);
   for (const HeatCell& cell : panel.cells) {
     columns[0].push_back(static_cast<double>(cell.column));
@@ -48,10 +52,15 @@ void draw_panel(Figure& figure, const HeatPanel& panel, double white_below) {
       ":(sprintf(\"%.1f\\n%.0f – %.0f\", $3, $4, $5)) with labels font ',11' tc rgb ";
   const std::string limit = number(white_below);
   figure << "set title " + gnuplot_text(panel.title);
-  figure.plot({block + " using 1:2:($1-0.5):($1+0.5):($2-0.5):($2+0.5):3 with boxxyerror"
-                       " fs solid noborder fc palette notitle",
-               block + " using ($3<" + limit + "?$1:NaN):2" + text + "'white' notitle",
-               block + " using ($3<" + limit + "?NaN:$1):2" + text + "'black' notitle"});
+  std::vector<std::string> elements = {
+      block +
+      " using 1:2:($1-0.5):($1+0.5):($2-0.5):($2+0.5):3 with boxxyerror"
+      " fs solid noborder fc palette notitle"};
+  if (numbers) {
+    elements.push_back(block + " using ($3<" + limit + "?$1:NaN):2" + text + "'white' notitle");
+    elements.push_back(block + " using ($3<" + limit + "?NaN:$1):2" + text + "'black' notitle");
+  }
+  figure.plot(elements);
 }
 
 }  // namespace
@@ -59,9 +68,11 @@ void draw_panel(Figure& figure, const HeatPanel& panel, double white_below) {
 ReportFigure draw_heat_map(const std::filesystem::path& folder, const HeatFigure& input) {
   constexpr double kWhiteShare = 0.55;  // of the scale: darker colours carry white text
   const std::size_t panels = input.panels.size();
-  const int panel_px = std::max(430, 190 + 72 * static_cast<int>(input.columns.size()));
+  const std::size_t columns = input.columns.size(), rows = input.rows.size();
+  const bool numbers = columns <= kReadable && rows <= kReadable;
+  const int panel_px = 190 + std::clamp(72 * static_cast<int>(columns), 240, 1008);
   Figure figure(folder, input.name, panel_px * static_cast<int>(panels),
-                190 + std::max(180, 58 * static_cast<int>(input.rows.size())));
+                190 + std::clamp(58 * static_cast<int>(rows), 180, 812));
   const double low = darkest(input);
   figure << "set multiplot layout 1," + std::to_string(panels) + " title " +
                 gnuplot_text(input.title + ": " + input.protocol)
@@ -72,7 +83,7 @@ ReportFigure draw_heat_map(const std::filesystem::path& folder, const HeatFigure
          << "set ylabel " + gnuplot_text(input.y_label)
          << "set cblabel " + gnuplot_text(input.colour_label);
   for (const HeatPanel& panel : input.panels) {
-    draw_panel(figure, panel, low + kWhiteShare * (100.0 - low));
+    draw_panel(figure, panel, low + kWhiteShare * (100.0 - low), numbers);
   }
   figure << "unset multiplot";
   return figure.draw(input.title, input.caption);

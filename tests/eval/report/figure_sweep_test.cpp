@@ -99,6 +99,23 @@ TEST_CASE("figures: heat map with a value in each cell") {
     }
   }
   check_drawn(folder, draw_heat_map(folder.path(), input), "map", "svg");
+  CHECK(script_of(folder, "map").find("with labels") != std::string::npos);
   const std::string data = read_text_file(folder.path() / "map.dat");
   CHECK(data.find("1 1 24 19 24") != std::string::npos);
+}
+
+TEST_CASE("figures: a heat map of many cells has colours alone, in a picture of bounded size") {
+  const FigureFolder folder;
+  HeatFigure input{"large", "Success", "percent", "Drawn for a test.", "x", "y", "%", {}, {}, {}};
+  HeatPanel& panel = input.panels.emplace_back();
+  panel.title = "consensus";
+  for (std::size_t k = 0; k < 40; ++k) {
+    input.columns.push_back(std::to_string(k));
+    if (k < 30) input.rows.push_back(std::to_string(k));
+  }
+  for (std::size_t k = 0; k < 1200; ++k) panel.cells.push_back({k % 40, k / 40, 0.05 * double(k)});
+  check_drawn(folder, draw_heat_map(folder.path(), input), "large", "svg");
+  const std::string script = script_of(folder, "large");
+  CHECK(script.find("with labels") == std::string::npos);
+  CHECK(script.find("set terminal svg size 1198,1002 ") != std::string::npos);
 }
