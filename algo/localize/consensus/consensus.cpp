@@ -2,10 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
-#include <numbers>
 #include <utility>
 
+#include "algo/localize/consensus/allowed.h"
 #include "algo/localize/consensus/exhaustive_search.h"
 #include "algo/localize/consensus/frame.h"
 #include "algo/localize/consensus/group_search.h"
@@ -20,46 +19,16 @@ namespace {
 
 constexpr double kNarrowest_m = 0.5;  // stems nearer to a line than this tell no mirror image apart
 
-/// Where the sensor may be, in the index's coordinates.
-struct Allowed {
-  std::optional<LocatePrior> prior;
-  Eigen::Vector2d sensor_in_frame_m, position_m;
-
-  Allowed(const std::optional<LocatePrior>& p, const LocalFrame& frame, const ConsensusIndex& index)
-      : prior(p), sensor_in_frame_m(-frame.middle_m), position_m(Eigen::Vector2d::Zero()) {
-    if (prior) position_m = prior->position_in_map_m - index.centre_m();
-  }
-  [[nodiscard]] bool holds(const Eigen::Vector2d& sensor_m) const {
-    return !prior || (sensor_m - position_m).norm() <= prior->radius_m;
-  }
-  [[nodiscard]] bool operator()(const Placement& p) const { return holds(p * sensor_in_frame_m); }
-  [[nodiscard]] double area_m2(const StemGrid& grid) const {
-    if (!prior) return grid.area_m2();
-    return std::min(grid.area_m2(), std::numbers::pi * prior->radius_m * prior->radius_m);
-  }
-  /// Map stems that the frame can reach.
-  [[nodiscard]] std::vector<Eigen::Vector2d> stems(const StemGrid& grid, double radius_m) const {
-    if (!prior) return grid.stems();
-    std::vector<Eigen::Vector2d> near;
-    const double reach_m = prior->radius_m + sensor_in_frame_m.norm() + radius_m;
-    for (const Eigen::Vector2d& p : grid.stems()) {
-      if ((p - position_m).norm() <= reach_m) near.push_back(p);
-    }
-    return near;
-  }
-};
-
 /// From groups; where these leave a doubt, from all turns and shifts.
 PlaceList find_places(const Judge& judge, const LocalFrame& frame, const Allowed& allowed,
                       LocateResult& result) {
   PlaceList places;
-  const PlaceFilter allows = std::cref(allowed);
   const double accept = judge.settings().accept_nats;
-  result.candidates = static_cast<int>(search_groups(judge, frame, allows, places));
+  result.candidates = static_cast<int>(search_groups(judge, frame, allowed, places));
   if (!places.empty() && places.margin_nats(accept) >= accept) return places;
   const StemGrid& grid = judge.index().grid();
-  search_exhaustively(judge, frame, allowed.stems(grid, frame.radius_m()), allows, places);
-  if (!places.empty()) add_twins(judge, Fit(*places.best()), allows, places);
+  search_exhaustively(judge, frame, allowed.stems(grid, frame.radius_m()), allowed, places);
+  if (!places.empty()) add_twins(judge, Fit(*places.best()), allowed, places);
   return places;
 }
 
@@ -92,7 +61,7 @@ LocateResult ConsensusMatcher::locate(const std::vector<Eigen::Vector2d>& stems_
   // The frame, and whether it could be told from chance at all
   const LocalFrame frame = make_frame(stems_in_local_m);
   if (frame.stems_m.size() < 3 || frame.width_m() < kNarrowest_m) return result;
-  const Allowed allowed(prior, frame, *index_);
+  const Allowed allowed(prior, -frame.middle_m, index_->centre_m());
   const Judge judge(*index_, settings_, frame.stems_m, allowed.area_m2(index_->grid()));
   if (!judge.could_accept()) return result;
 
@@ -107,14 +76,14 @@ LocateResult ConsensusMatcher::locate(const std::vector<Eigen::Vector2d>& stems_
   const Fit best = judge.settle(*places.best(), kToTheEnd);
   result.inliers = result.agreeing = best.inliers;
   result.margin = places.margin_nats(settings_.accept_nats);
-  result.T_map_local = {best.placement * allowed.sensor_in_frame_m + index_->centre_m(),
+  result.T_map_local = {best.placement * allowed.sensor_in_frame_m() + index_->centre_m(),
                         best.placement.yaw_rad()};
   const double seen = static_cast<double>(frame.stems_m.size());
   const bool most_agree = best.inliers > settings_.least_share * seen;
   if (best.evidence_nats < settings_.accept_nats || !most_agree) return result;
 
   // Its pose, and the verdict
-  const auto estimate = estimate_pose(judge, allowed.sensor_in_frame_m, best);
+  const auto estimate = estimate_pose(judge, allowed.sensor_in_frame_m(), best);
   if (!estimate || !allowed.holds(estimate->T_map_sensor.shift_m)) return result;
   result.T_map_local = {estimate->T_map_sensor.shift_m + index_->centre_m(),
                         estimate->T_map_sensor.yaw_rad()};

@@ -169,8 +169,8 @@ class TurnVotes {
 }  // namespace
 
 std::int64_t search_exhaustively(const Judge& judge, const LocalFrame& frame,
-                                 const std::vector<Eigen::Vector2d>& map_m,
-                                 const PlaceFilter& allows, PlaceList& places) {
+                                 const std::vector<Eigen::Vector2d>& map_m, const Allowed& allows,
+                                 PlaceList& places) {
   if (map_m.empty()) return 0;
   const auto stems = std::span(frame.stems_m).first(std::min(frame.stems_m.size(), kMostStems));
   TurnVotes votes(stems, map_m);

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "algo/localize/consensus/allowed.h"
 #include "algo/localize/consensus/frame.h"
 #include "algo/localize/consensus/judge.h"
 #include "algo/localize/consensus/places.h"
@@ -16,7 +17,7 @@ namespace honka {
 /// than `exhaustive_votes`. `map_m`: the stems that a prior leaves, or all.
 /// Returns the number of places that were refined.
 std::int64_t search_exhaustively(const Judge& judge, const LocalFrame& frame,
-                                 const std::vector<Eigen::Vector2d>& map_m,
-                                 const PlaceFilter& allows, PlaceList& places);
+                                 const std::vector<Eigen::Vector2d>& map_m, const Allowed& allows,
+                                 PlaceList& places);
 
 }  // namespace honka

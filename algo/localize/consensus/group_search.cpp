@@ -33,8 +33,7 @@ constexpr std::array<ThreeOf, 20> kThreeOfSix = [] {
 /// One search: its buffers and what it has seen.
 class GroupSearch {
  public:
-  GroupSearch(const Judge& judge, const LocalFrame& frame, const PlaceFilter& allows,
-              PlaceList& places)
+  GroupSearch(const Judge& judge, const LocalFrame& frame, const Allowed& allows, PlaceList& places)
       : judge_(judge),
         frame_(frame),
         allows_(allows),
@@ -73,9 +72,19 @@ class GroupSearch {
       // the second here.
       if (shape.legs_m[0] + tolerance < std::max(shape.legs_m[1], shape.legs_m[2])) continue;
       judge_.index().groups().find(shape, tolerance, found_);
+      if (!allows_.everywhere()) keep_allowed(base);
       hear_found(g);
     }
     refine_heard();
+  }
+
+  /// Of the map groups found, those whose first stem the prior leaves to the local one.
+  void keep_allowed(std::uint32_t base) {
+    constexpr double kSlack_m = 2.0;  // of a group of four fitted to three s.d., and its turn
+    const auto& stems = judge_.index().grid().stems();
+    std::erase_if(found_, [&](std::uint32_t id) {
+      return !allows_.may_pair(frame_.stems_m[base], stems[GroupTable::first_stem(id)], kSlack_m);
+    });
   }
 
   void hear_found(const StemGroup& local) {
@@ -139,7 +148,7 @@ class GroupSearch {
 
   const Judge& judge_;
   const LocalFrame& frame_;
-  const PlaceFilter& allows_;
+  const Allowed& allows_;
   PlaceList& places_;
   std::vector<std::vector<std::uint32_t>> near_;
   std::vector<std::uint32_t> found_;
@@ -150,7 +159,7 @@ class GroupSearch {
 
 }  // namespace
 
-std::int64_t search_groups(const Judge& judge, const LocalFrame& frame, const PlaceFilter& allows,
+std::int64_t search_groups(const Judge& judge, const LocalFrame& frame, const Allowed& allows,
                            PlaceList& places) {
   return GroupSearch(judge, frame, allows, places).run();
 }

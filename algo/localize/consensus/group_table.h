@@ -49,6 +49,8 @@ class GroupTable {
     }
   }
   /// The group of an id, from its longest leg on.
+  /// Of a group, as index of the grid.
+  [[nodiscard]] static std::uint32_t first_stem(std::uint32_t id) { return id / kCombinations; }
   [[nodiscard]] StemGroup group(const StemGrid& grid, std::uint32_t id) const;
   /// Stems per m² around a stem, at least those of the whole map.
   [[nodiscard]] const std::vector<float>& densities() const { return densities_per_m2_; }

@@ -2,7 +2,6 @@
 
 #include <Eigen/Core>
 #include <cstdint>
-#include <functional>
 #include <optional>
 #include <span>
 #include <vector>
@@ -12,9 +11,6 @@
 #include "algo/localize/consensus/settings.h"
 
 namespace honka {
-
-/// Whether a prior allows a placement.
-using PlaceFilter = std::function<bool(const Placement&)>;
 
 /// Weighs places of one frame in a map. Each local stem is the partner of a map
 /// stem, or false: p(stem) ∝ w + (1 − w) N(residual; σ²) / ρ, with ρ the map's

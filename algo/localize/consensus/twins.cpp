@@ -7,7 +7,7 @@
 
 namespace honka {
 
-void add_twins(const Judge& judge, const Fit& fit, const PlaceFilter& allows, PlaceList& places) {
+void add_twins(const Judge& judge, const Fit& fit, const Allowed& allows, PlaceList& places) {
   constexpr std::size_t kNeighbours = 20;  // two rows and stems to each side
   constexpr std::size_t kWitnesses = 24;   // around the middle of the frame
   constexpr double kReach_m = 15.0;

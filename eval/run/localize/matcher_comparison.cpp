@@ -32,6 +32,7 @@ std::string stem_chain_name(const LocalizationSummary& s) {
 Json comparison_row(const LocalizationSummary& s) {
   Json row;
   row["method"] = s.method;
+  row["map"] = s.map;
   row["chain"] = s.repaired ? "repaired" : "literal";
   row["frames"] = s.frames;
   row["stems_in_map"] = s.stems_in_map;
@@ -94,6 +95,7 @@ ReportTable matcher_comparison_table(const std::vector<LocalizationSummary>& sum
       fmt::format("same stems; success: accepted and within {} m and {}°; time of matching alone",
                   scenario.protocol.success_translation_m, scenario.protocol.success_rotation_deg);
   table.headers = {{"method"},
+                   {"map"},
                    {"chain"},
                    {"frames"},
                    {"stems"},
@@ -108,6 +110,7 @@ ReportTable matcher_comparison_table(const std::vector<LocalizationSummary>& sum
                    {"time p50 / p95", "ms"}};
   for (const LocalizationSummary& s : summaries) {
     table.rows.push_back({{s.method},
+                          {s.map},
                           {stem_chain_name(s)},
                           {fmt::format("{}", s.frames)},
                           {fixed(s.trunks, 1)},

@@ -98,7 +98,10 @@ TEST_CASE("consensus: a prior elsewhere refuses, a wide one does not matter") {
   const Eigen::Vector2d truth = seen.T_map_local.translation_m;
   const auto wide = matcher.locate(seen.stems, LocatePrior{truth, 1000.0});
   CHECK(shift_between(wide.T_map_local, matcher.locate(seen.stems).T_map_local) < 1e-9);
-  CHECK(matcher.locate(seen.stems, LocatePrior{truth, 20.0}).accepted());
+  const auto narrow = matcher.locate(seen.stems, LocatePrior{truth, 20.0});
+  CHECK(narrow.accepted());
+  CHECK(shift_between(wide.T_map_local, narrow.T_map_local) < 1e-9);
+  CHECK(2 * narrow.candidates < wide.candidates);  // the active subset alone is tried
   const Eigen::Vector2d elsewhere = truth + Eigen::Vector2d(40.0, 0.0);
   CHECK_FALSE(matcher.locate(seen.stems, LocatePrior{elsewhere, 20.0}).accepted());
   CHECK_THROWS_AS(matcher.locate(seen.stems, LocatePrior{truth, 0.0}), UserError);
