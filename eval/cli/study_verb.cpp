@@ -17,13 +17,6 @@ int workers_of(int asked) {
   return static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
 }
 
-/// The command that does this again, as a user would type it.
-std::string study_command(const Study& study) {
-  std::string command = "honka study " + study.base.file.string();
-  for (const std::string& text : study.overrides) command += " -s '" + text + "'";
-  return command + fmt::format(" --trials {}", study.trials);
-}
-
 int merge_and_tell(const StudyFolder& folder, const Study& study) {
   const StudyOutcome outcome = merge_study(folder, study, study_command(study));
   fmt::print("{}\nresults_digest {}\nReport: {}\n", outcome.table, outcome.digest,

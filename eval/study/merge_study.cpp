@@ -12,8 +12,8 @@ namespace honka::eval {
 namespace {
 
 std::string shard_command(const StudyFolder& folder, const Study& study, const Shard& shard) {
-  return fmt::format("honka study {} --shard {}/{} --out {}", study.base.file.string(), shard.index,
-                     shard.count, folder.path().string());
+  return fmt::format("{} --shard {}/{} --out {}", study_command(study), shard.index, shard.count,
+                     folder.path().string());
 }
 
 /// Every shard of the division, each with its finished file and no journal beside it.

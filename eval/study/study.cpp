@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <limits>
-#include <map>
 
 #include "algo/types/check.h"
 #include "algo/types/user_error.h"
@@ -110,6 +109,12 @@ Table table_of(StudyColumns columns, const Study& study) {
   return Table(std::move(all));
 }
 
+std::string with_overrides(const std::string& verb, const Study& study) {
+  std::string command = fmt::format("{} {}", verb, study.base.file.string());
+  for (const std::string& text : study.overrides) command += fmt::format(" -s '{}'", text);
+  return command;
+}
+
 }  // namespace
 
 Study load_study(const std::filesystem::path& file, const std::vector<std::string>& overrides,
@@ -141,9 +146,12 @@ std::string point_name(const Study& study, std::int64_t point) {
   return name;
 }
 
+std::string study_command(const Study& study) {
+  return with_overrides("honka study", study) + fmt::format(" --trials {}", study.trials);
+}
+
 std::string replay_command(const Study& study, TrialId id) {
-  std::string command = "honka run " + study.base.file.string();
-  for (const std::string& text : study.overrides) command += fmt::format(" -s '{}'", text);
+  std::string command = with_overrides("honka run", study);
   const std::vector<Value>& at = study.points.at(static_cast<std::size_t>(id.point)).values;
   for (std::size_t k = 0; k < at.size(); ++k) {
     command += fmt::format(" -s '{}={}'", study.axes()[k].key, format_value(at[k]));

@@ -36,6 +36,9 @@ struct Study {
 /// "noise 0.3 m" → what a point is called: "sighting.noise_m = 0.3, …".
 [[nodiscard]] std::string point_name(const Study& study, std::int64_t point);
 
+/// The command that runs the study, as a user would type it: with overrides and trials.
+[[nodiscard]] std::string study_command(const Study& study);
+
 /// The command that runs one trial of a study alone.
 [[nodiscard]] std::string replay_command(const Study& study, TrialId id);
 

@@ -55,8 +55,8 @@ std::string next_step(const StudyFolder& folder, const Study& study, const Shard
   const std::string path = folder.path().string();
   if (missing == nullptr) return fmt::format("Next: honka study merge {}\n", path);
   if (running) return fmt::format("Wait for those that run, then: honka study status {}\n", path);
-  return fmt::format("Next: honka study {} --trials {} --shard {}/{} --out {}\n",
-                     study.base.file.string(), study.trials, missing->index, missing->count, path);
+  return fmt::format("Next: {} --shard {}/{} --out {}\n", study_command(study), missing->index,
+                     missing->count, path);
 }
 
 }  // namespace

@@ -79,6 +79,9 @@ TEST_CASE("an axis that the command line sets is one no more: so one trial is ru
   const std::string command = replay_command(study, {1, 4});
   CHECK(command ==
         "honka run " + (folder / "fake.toml").string() + " -s 'sighting.noise_m=0.2' --trial 4");
+  CHECK(study_command(load_study(folder / "fake.toml", {"sighting.missed_share=0.2"}, 7)) ==
+        "honka study " + (folder / "fake.toml").string() +
+            " -s 'sighting.missed_share=0.2' --trials 7");
   const Study alone = load_study(folder / "fake.toml", {"sighting.noise_m=0.2"});
   REQUIRE(alone.points.size() == 1);
   CHECK(alone.points[0].resolved.hash == study.points[1].resolved.hash);
