@@ -1,8 +1,5 @@
 #include <fmt/core.h>
 
-#include <algorithm>
-#include <thread>
-
 #include "algo/types/user_error.h"
 #include "eval/cli/study_verb.h"
 #include "eval/cli/verbs.h"
@@ -10,14 +7,10 @@
 #include "eval/config/scenario.h"
 #include "eval/run/experiment.h"
 #include "eval/run/simulate.h"
+#include "eval/run/thread_count.h"
 
 namespace honka::eval {
 namespace {
-
-int thread_count(int asked) {
-  if (asked > 0) return asked;
-  return static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
-}
 
 /// The command that does this again, as a user would type it.
 std::string command_line(const RunArguments& arguments) {

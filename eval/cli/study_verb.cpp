@@ -2,20 +2,13 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <thread>
-
 #include "algo/types/user_error.h"
+#include "eval/run/thread_count.h"
 #include "eval/study/run_study.h"
 #include "eval/study/study_status.h"
 
 namespace honka::eval {
 namespace {
-
-int workers_of(int asked) {
-  if (asked > 0) return asked;
-  return static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
-}
 
 int merge_and_tell(const StudyFolder& folder, const Study& study) {
   const StudyOutcome outcome = merge_study(folder, study, study_command(study));
@@ -42,7 +35,7 @@ int study_verb(const StudyArguments& arguments) {
   const Shard shard = parse_shard(arguments.shard);
   const StudyFolder folder(
       arguments.out.empty() ? "results" / std::filesystem::path(study.base.name) : arguments.out);
-  const ShardOutcome outcome = run_shard(folder, study, shard, workers_of(arguments.threads));
+  const ShardOutcome outcome = run_shard(folder, study, shard, thread_count(arguments.threads));
   tell_failures(folder, outcome);
   if (shard.count == 1) return merge_and_tell(folder, study);
   fmt::print(
@@ -70,7 +63,7 @@ int study_retry_verb(const std::filesystem::path& folder, int threads) {
     throw UserError(folder.string() + ": holds no shards yet; nothing has failed");
   }
   for (const Shard& shard : shards) {
-    const ShardOutcome outcome = run_shard(there, study, shard, workers_of(threads), true);
+    const ShardOutcome outcome = run_shard(there, study, shard, thread_count(threads), true);
     fmt::print("shard {}/{}: {} trials run again, {} failed\n", shard.index, shard.count,
                outcome.run_now, outcome.failed);
   }

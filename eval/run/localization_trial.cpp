@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "eval/run/mapped_run.h"
+#include "eval/run/parallel.h"
 #include "eval/run/progress.h"
 #include "eval/run/trial_row.h"
 
@@ -34,12 +35,10 @@ std::vector<TrunkMap> make_maps(const Scenario& scenario, const TrialWorld& worl
   Progress progress(fmt::format("stand {}: trunk maps", trial), "maps",
                     static_cast<std::int64_t>(orders.size()));
   std::vector<TrunkMap> maps(orders.size());
-#pragma omp parallel for schedule(dynamic) num_threads(threads)
-  for (std::size_t i = 0; i < orders.size(); ++i) {
+  for_each_index(orders.size(), threads, [&](std::size_t i) {
     maps[i] = trunk_map_of(orders[i].source, *orders[i].run, orders[i].settings, scenario, world);
-#pragma omp critical
     progress.advance();
-  }
+  });
   return maps;
 }
 
@@ -61,13 +60,11 @@ std::vector<LocalizationRow> localize_all(const Scenario& scenario, const TrialE
   Progress progress(fmt::format("stand {}: localization", trial), "windows",
                     static_cast<std::int64_t>(windows.size()));
   std::vector<std::vector<LocalizationRow>> rows(windows.size());
-#pragma omp parallel for schedule(dynamic) num_threads(threads)
-  for (std::size_t i = 0; i < windows.size(); ++i) {
+  for_each_index(windows.size(), threads, [&](std::size_t i) {
     rows[i] =
         localize_window(windows[i], exhibit.scans, exhibit.variants, scenario, {&truth, trial});
-#pragma omp critical
     progress.advance();
-  }
+  });
   std::vector<LocalizationRow> all;
   for (auto& of_window : rows) all.insert(all.end(), of_window.begin(), of_window.end());
   return all;

@@ -32,6 +32,7 @@ Progress::Progress(std::string what, std::string unit, std::int64_t total)
 Progress::~Progress() { show(true); }
 
 void Progress::advance(std::int64_t steps) {
+  const std::lock_guard lock(advancing_);
   done_ += steps;
   const double pause_s = terminal_ ? 0.2 : 15.0;
   if (seconds_between(shown_, Clock::now()) >= pause_s) show(false);
@@ -47,7 +48,9 @@ void Progress::show(bool last) {
     line += fmt::format(" in {}", duration_text(elapsed_s));
   } else if (rate > 0) {
     const double left_s = static_cast<double>(total_ - done_) / rate;
-    line += fmt::format(", {:.0f}/s, {} left", rate, duration_text(std::max(0.0, left_s)));
+    const int decimals = rate < 9.95 ? 1 : 0;
+    line +=
+        fmt::format(", {:.{}f}/s, {} left", rate, decimals, duration_text(std::max(0.0, left_s)));
   }
   if (!remark_.empty()) line += "; " + remark_;
   if (terminal_) {

@@ -2,13 +2,14 @@
 
 #include <chrono>
 #include <cstdint>
+#include <mutex>
 #include <string>
 
 namespace honka::eval {
 
 /// Tells how far long work has come, with rate and time left: a moving line on a terminal, a plain
 /// line now and then elsewhere. Written to the error stream; of work without a name nothing is.
-/// Call from one thread.
+/// `advance` may be called from several threads.
 class Progress {
  public:
   Progress(std::string what, std::string unit, std::int64_t total);
@@ -26,6 +27,7 @@ class Progress {
   using Clock = std::chrono::steady_clock;
   void show(bool last);
 
+  std::mutex advancing_;
   std::string what_, unit_, remark_;
   std::int64_t total_, done_ = 0;
   bool terminal_;

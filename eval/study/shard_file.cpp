@@ -54,7 +54,6 @@ Table read_shard(const StudyFolder& folder, const Study& study, const Shard& sha
 }
 
 std::vector<TrialRecord> records_of(const Study& study, const Table& rows) {
-  constexpr double kBytesPerMegabyte = 1e6;
   const std::size_t methods = study.methods.size();
   std::vector<TrialRecord> records;
   for (std::size_t row = 0; row + methods <= rows.rows(); row += methods) {

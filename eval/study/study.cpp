@@ -66,7 +66,6 @@ struct StudyColumns {
 };
 
 void add_rows(StudyColumns& columns, const Study& study, const TrialRecord& record) {
-  constexpr double kBytesPerMegabyte = 1e6;
   const std::vector<Value>& at = study.points.at(static_cast<std::size_t>(record.id.point)).values;
   for (std::size_t m = 0; m < study.methods.size(); ++m) {
     columns.point.push_back(record.id.point);

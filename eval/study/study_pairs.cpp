@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 
 #include "eval/report/report_model.h"
+#include "eval/run/parallel.h"
+#include "eval/run/thread_count.h"
 
 namespace honka::eval {
 namespace {
@@ -159,15 +161,14 @@ std::vector<PairedFigure> compare_methods(const Study& study, const Table& trial
   }
   const std::vector<SharedTrials> all = shared_trials(study, cells);
   std::vector<std::vector<PairedFigure>> found(all.size());
-#pragma omp parallel for schedule(dynamic)
-  for (std::size_t k = 0; k < all.size(); ++k) {
+  for_each_index(all.size(), thread_count(0), [&](std::size_t k) {
     if (!by_kind.rates.empty()) {
       found[k].push_back(compare_rate(study, trials, all[k], by_kind.rates.front()));
     }
-    if (errors.empty()) continue;
+    if (errors.empty()) return;
     const auto compared = compare_errors(study, trials, all[k], errors, draws);
     found[k].insert(found[k].end(), compared.begin(), compared.end());
-  }
+  });
   std::vector<PairedFigure> pairs;
   for (const auto& some : found) pairs.insert(pairs.end(), some.begin(), some.end());
   return pairs;

@@ -4,6 +4,8 @@
 #include <cmath>
 
 #include "algo/types/check.h"
+#include "eval/run/parallel.h"
+#include "eval/run/thread_count.h"
 
 namespace honka::eval {
 namespace {
@@ -125,10 +127,9 @@ std::vector<StudyCell> study_cells(const Study& study, const Table& trials) {
 std::vector<CellSummary> summarize_cells(const Study& study, const Table& trials,
                                          const std::vector<StudyCell>& cells, StudyDraws& draws) {
   std::vector<CellSummary> summaries(cells.size());
-#pragma omp parallel for schedule(dynamic)
-  for (std::size_t k = 0; k < cells.size(); ++k) {
+  for_each_index(cells.size(), thread_count(0), [&](std::size_t k) {
     summaries[k] = summarize_cell(study, trials, cells[k], draws);
-  }
+  });
   return summaries;
 }
 

@@ -23,6 +23,9 @@ struct TrialId {
   auto operator<=>(const TrialId&) const = default;
 };
 
+/// Of the column `resident_mb`.
+inline constexpr double kBytesPerMegabyte = 1e6;
+
 /// One trial as it came out; what it cost is not part of the digest.
 struct TrialRecord {
   TrialId id;

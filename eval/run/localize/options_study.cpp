@@ -3,12 +3,12 @@
 #include <fmt/format.h>
 
 #include <cmath>
-#include <exception>
 
 #include "algo/localize/li2020/branch_and_bound.h"
 #include "algo/types/random.h"
 #include "eval/config/words.h"
 #include "eval/metrics/localization.h"
+#include "eval/run/parallel.h"
 #include "eval/run/stopwatch.h"
 #include "eval/run/trial_world.h"
 #include "sim/forest/forest.h"
@@ -150,17 +150,9 @@ std::vector<OptionsAnswer> answer_options(const Scenario& scenario, const Option
   const auto& map_m = one.map == "airborne" ? world.airborne_m : world.inventory_m;
   const auto matcher = create_matcher(one.method, map_m, one.settings);
   std::vector<OptionsAnswer> answers(static_cast<std::size_t>(scenario.options.queries));
-  std::exception_ptr failure;
-#pragma omp parallel for schedule(dynamic) num_threads(threads)
-  for (std::size_t q = 0; q < answers.size(); ++q) {
-    try {
-      answers[q] = answer_option(scenario, world, one, *matcher, q);
-    } catch (...) {
-#pragma omp critical(options_failure)
-      failure = std::current_exception();
-    }
-  }
-  if (failure) std::rethrow_exception(failure);
+  for_each_index(answers.size(), threads, [&](std::size_t q) {
+    answers[q] = answer_option(scenario, world, one, *matcher, q);
+  });
   return answers;
 }
 

@@ -5,6 +5,7 @@
 
 #include "algo/types/random.h"
 #include "eval/run/localize/timed_matcher.h"
+#include "eval/run/parallel.h"
 #include "eval/run/stopwatch.h"
 
 namespace honka::eval {
@@ -104,14 +105,12 @@ SightingTrial run_sighting_trial(const Scenario& scenario, const SightingCase& o
     if (numbers.empty()) continue;
     const TimedMatcher timed = make_timed_matcher(method, world.mapped->map_m, scenario.localize);
     std::vector<SightingRow> rows(numbers.size());
-#pragma omp parallel for schedule(dynamic) num_threads(threads)
-    for (std::size_t i = 0; i < numbers.size(); ++i) {
+    for_each_index(numbers.size(), threads, [&](std::size_t i) {
       rows[i] = ask_sighting(scenario, one, world, timed, numbers[i]);
       rows[i].method = method;
       rows[i].trial = trial;
-#pragma omp critical
       advance();
-    }
+    });
     done.maps.push_back({one.name, method, trial,
                          static_cast<std::int64_t>(world.mapped->map_m.size()),
                          static_cast<std::int64_t>(numbers.size()), timed.build_ms,

@@ -6,6 +6,7 @@
 #include "algo/slam/convergence.h"
 #include "algo/slam/view_cone.h"
 #include "algo/types/random.h"
+#include "eval/run/parallel.h"
 
 namespace honka::eval {
 namespace {
@@ -93,10 +94,8 @@ std::vector<ConvergencePoint> study_convergence(const SlamDrive& drive,
                                                 const std::vector<StartError>& starts,
                                                 std::uint64_t seed, int threads) {
   std::vector<ConvergencePoint> points(starts.size());
-#pragma omp parallel for schedule(dynamic) num_threads(threads)
-  for (std::size_t k = 0; k < starts.size(); ++k) {
-    points[k] = study_start(drive, pairs, starts[k], seed);
-  }
+  for_each_index(starts.size(), threads,
+                 [&](std::size_t k) { points[k] = study_start(drive, pairs, starts[k], seed); });
   return points;
 }
 

@@ -1,32 +1,14 @@
 #include "eval/run/slam/link_trial.h"
 
 #include <chrono>
-#include <exception>
 
 #include "algo/slam/chain.h"
 #include "algo/slam/exchange/cloud_map.h"
 #include "algo/types/random.h"
+#include "eval/run/parallel.h"
 
 namespace honka::eval {
-namespace {
-
-/// Calls work(0) … work(count − 1) on so many threads; what one throws comes out at the end.
-template <class Work>
-void for_each_job(std::size_t count, int threads, const Work& work) {
-  std::exception_ptr failure;
-#pragma omp parallel for schedule(dynamic) num_threads(threads)
-  for (std::size_t i = 0; i < count; ++i) {
-    try {
-      work(i);
-    } catch (...) {
-#pragma omp critical(link_job_failure)
-      failure = std::current_exception();
-    }
-  }
-  if (failure) std::rethrow_exception(failure);
-}
-
-}  // namespace
+namespace {}  // namespace
 
 FramePoses edge_poses_of(const SlamDrive& drive, const Scenario& scenario) {
   if (scenario.link.edge_poses == "odometry") return drive.edge_T_first_frame;
@@ -84,10 +66,10 @@ LinkTrial study_links(const SlamDrive& drive, const Scenario& scenario, std::int
   }
   // 2. The cloud maps what it received; the truth judges.
   std::vector<LinkMapQuality> floors(received.size());
-  for_each_job(received.size(), threads, [&](std::size_t i) {
+  for_each_index(received.size(), threads, [&](std::size_t i) {
     floors[i] = link_floor(drive, received[i].frames(), scenario.slam);
   });
-  for_each_job(result.rows.size(), threads, [&](std::size_t i) {
+  for_each_index(result.rows.size(), threads, [&](std::size_t i) {
     result.rows[i].floor = floors[i / methods.size()];
     map_over_link(drive, received[i / methods.size()], scenario.slam, result.rows[i]);
   });

@@ -8,6 +8,7 @@
 #include "eval/report/console_table.h"
 #include "eval/report/html_report.h"
 #include "eval/report/summary.h"
+#include "eval/run/parallel.h"
 #include "eval/run/progress.h"
 #include "eval/run/scenario_json.h"
 #include "eval/run/slam/improvement_trials.h"
@@ -26,14 +27,12 @@ std::vector<ProgressTrack> record_tracks(const RunRequest& request) {
     std::vector<ProgressTrack> of_trial(sides.size());
     Progress progress(fmt::format("trial {}, loop", trial), "sides",
                       static_cast<std::int64_t>(sides.size()));
-    const int threads = request.threads;
-#pragma omp parallel for schedule(dynamic) num_threads(threads)
-    for (std::size_t k = 0; k < sides.size(); ++k) {
+    for_each_index(sides.size(), request.threads, [&](std::size_t k) {
       of_trial[k] = record_progress(start.drive, start.T_first_frame,
                                     request.resolved.scenario.slam, sides[k], start.seed);
       of_trial[k].trial = trial;
-    }
-    progress.advance(static_cast<std::int64_t>(sides.size()));
+      progress.advance();
+    });
     for (ProgressTrack& track : of_trial) tracks.push_back(std::move(track));
   }
   return tracks;

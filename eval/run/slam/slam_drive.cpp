@@ -1,12 +1,12 @@
 #include "eval/run/slam/slam_drive.h"
 
 #include <algorithm>
-#include <exception>
 #include <numeric>
 
 #include "algo/types/random.h"
 #include "eval/run/make_odometry.h"
 #include "eval/run/odometry_drive.h"
+#include "eval/run/parallel.h"
 #include "eval/run/slam/edge_frames.h"
 #include "eval/run/slam/slam_world.h"
 #include "sim/harvester/vehicle.h"
@@ -30,18 +30,10 @@ std::vector<std::vector<Eigen::Vector3d>> find_stems(const std::vector<EdgeFrame
                                                      const LidarModel& model,
                                                      const Scenario& scenario, int threads) {
   std::vector<std::vector<Eigen::Vector3d>> stems(frames.size());
-  std::exception_ptr failure;
-#pragma omp parallel for schedule(dynamic) num_threads(threads)
-  for (std::size_t i = 0; i < frames.size(); ++i) {
-    try {
-      stems[i] =
-          stems_in_lidar(frames[i], model, scenario.frame, scenario.stems, kStemReferenceHeight_m);
-    } catch (...) {
-#pragma omp critical(slam_stems_failure)
-      failure = std::current_exception();
-    }
-  }
-  if (failure) std::rethrow_exception(failure);
+  for_each_index(frames.size(), threads, [&](std::size_t i) {
+    stems[i] =
+        stems_in_lidar(frames[i], model, scenario.frame, scenario.stems, kStemReferenceHeight_m);
+  });
   return stems;
 }
 

@@ -4,13 +4,13 @@
 
 #include <algorithm>
 #include <chrono>
-#include <exception>
 #include <map>
 
 #include "algo/slam/correction/order.h"
 #include "algo/slam/slam.h"
 #include "algo/types/check.h"
 #include "algo/types/random.h"
+#include "eval/run/parallel.h"
 
 namespace honka::eval {
 namespace {
@@ -115,22 +115,6 @@ SlamRun run_case(const SlamCase& asked, const SlamStart& start, const SlamDrive&
   return run;
 }
 
-/// Calls work(0) … work(count − 1) on so many threads; what one throws comes out at the end.
-template <class Work>
-void in_parallel(std::size_t count, int threads, const Work& work) {
-  std::exception_ptr failure;
-#pragma omp parallel for schedule(dynamic) num_threads(threads)
-  for (std::size_t i = 0; i < count; ++i) {
-    try {
-      work(i);
-    } catch (...) {
-#pragma omp critical(slam_trial_failure)
-      failure = std::current_exception();
-    }
-  }
-  if (failure) std::rethrow_exception(failure);
-}
-
 std::vector<SlamCase> table1_cases(const Scenario& scenario) {
   std::vector<std::string> starts;
   for (const double ratio : scenario.slam_study.start_inlier_ratios) {
@@ -188,14 +172,14 @@ SlamTrial run_slam_trial(SlamDrive drive, const Scenario& scenario, std::int64_t
   for (const SlamCase& asked : cases) starts[asked.start] = {};
   std::vector<SlamStarts::value_type*> wanted;
   for (auto& start : starts) wanted.push_back(&start);
-  in_parallel(wanted.size(), threads, [&](std::size_t i) {
+  for_each_index(wanted.size(), threads, [&](std::size_t i) {
     wanted[i]->second = make_start(wanted[i]->first, done.drive, scenario);
   });
 
   const std::uint64_t seed = derive_seed(static_cast<std::uint64_t>(scenario.seed), "slam_loop",
                                          {static_cast<std::uint64_t>(trial)});
   done.runs.resize(cases.size());
-  in_parallel(cases.size(), threads, [&](std::size_t i) {
+  for_each_index(cases.size(), threads, [&](std::size_t i) {
     done.runs[i] = run_case(cases[i], starts.at(cases[i].start), done.drive, scenario, seed);
   });
   return done;
