@@ -14,6 +14,8 @@ constexpr std::size_t kWitnesses = 16;        // stems around a group that are h
 constexpr std::size_t kRefinedPerGroup = 32;  // the rest of a lattice's look-alikes are not needed
 constexpr double kDoubtless_nats = 10.0;      // beyond acceptance
 constexpr int kGroupsAfterwards = 3;          // a copy elsewhere shares most of its groups
+constexpr int kGroupsOfPattern = 100;         // a frame of the map is found by far fewer
+constexpr std::size_t kHeardOfPattern = 1'000'000;  // a second; a grid without jitter fits anywhere
 
 using ThreeOf = std::array<std::uint8_t, 3>;
 
@@ -46,6 +48,7 @@ class GroupSearch {
       for (std::uint32_t base = 0; base < frame_.stems_m.size(); ++base) {
         try_group(base, three);
         if (is_beyond_doubt() && ++afterwards > kGroupsAfterwards) return tried_;
+        if (is_alike_for_long()) return tried_;
       }
     }
     return tried_;
@@ -75,6 +78,7 @@ class GroupSearch {
       if (!allows_.everywhere()) keep_allowed(base);
       hear_found(g);
     }
+    heard_since_better_ += heard_.size();
     refine_heard();
   }
 
@@ -146,6 +150,23 @@ class GroupSearch {
     return holds();
   }
 
+  /// Whether places beyond chance look alike and none has come out on top for many groups, as in
+  /// the wrong rows of a plantation: what is left to try shows more of the same.
+  bool is_alike_for_long() {
+    constexpr double kBetter_nats = 1.0;
+    const double accept = judge_.settings().accept_nats;
+    const Fit* best = places_.best();
+    if (best == nullptr || best->evidence_nats < accept) return false;
+    if (best->evidence_nats > best_nats_ + kBetter_nats) {
+      best_nats_ = best->evidence_nats;
+      groups_since_better_ = 0;
+      heard_since_better_ = 0;
+    }
+    const bool long_ago =
+        ++groups_since_better_ > kGroupsOfPattern || heard_since_better_ > kHeardOfPattern;
+    return long_ago && places_.margin_nats(accept) < accept;
+  }
+
   const Judge& judge_;
   const LocalFrame& frame_;
   const Allowed& allows_;
@@ -154,6 +175,9 @@ class GroupSearch {
   std::vector<std::uint32_t> found_;
   std::vector<Fit> heard_;
   double twins_of_nats_ = 0.0;
+  double best_nats_ = 0.0;
+  int groups_since_better_ = 0;
+  std::size_t heard_since_better_ = 0;
   std::int64_t tried_ = 0;
 };
 
