@@ -1,5 +1,6 @@
 #include "eval/run/localize/sighting_rows.h"
 
+#include <cmath>
 #include <limits>
 
 namespace honka::eval {
@@ -18,6 +19,12 @@ Column sighting_words(std::string name, std::string long_name) {
 Column sighting_numbers(std::string name, std::string unit, std::string long_name,
                         bool in_digest = true) {
   return {std::move(name), std::move(unit), std::move(long_name), std::vector<double>{}, in_digest};
+}
+
+/// Root of the variances of x and y together; NaN where a matcher states none.
+double stated_m(const LocateResult& result) {
+  if (!result.covariance) return kNoNumber;
+  return std::sqrt(result.covariance->topLeftCorner<2, 2>().trace());
 }
 
 double bytes_or_nan(const std::optional<std::int64_t>& bytes) {
@@ -62,6 +69,8 @@ Table sighting_table() {
       sighting_numbers("rotation_error_rad", "rad", "to truth; NaN when refused"),
       sighting_numbers("bound_m", "m", "Cramér-Rao bound of the position; NaN where there is none"),
       sighting_numbers("bound_rad", "rad", "Cramér-Rao bound of the yaw; NaN where there is none"),
+      sighting_numbers("stated_m", "m",
+                       "s.d. of the position as the matcher states it; NaN where it does not"),
       sighting_numbers("match_ms", "ms", "matching alone, one thread", false),
   });
 }
@@ -78,14 +87,14 @@ void append(Table& table, const SightingRow& row) {
   const auto if_known = [&](double value) { return row.T_map_sensor ? value : kNoNumber; };
   const auto if_both = [&](double value) { return if_known(if_accepted(value)); };
   const Pose2 truth = row.T_map_sensor.value_or(Pose2{});
-  table.add_row(row.name, row.method, row.trial, row.query, row.stems_in_map, row.stems,
-                row.true_stems, r.matches, r.agreeing, r.inliers, r.margin, verdict_name(r.verdict),
-                r.accepted(), row.success, if_accepted(answer.translation_m.x()),
-                if_accepted(answer.translation_m.y()), if_accepted(answer.yaw_rad),
-                if_known(truth.translation_m.x()), if_known(truth.translation_m.y()),
-                if_known(truth.yaw_rad), if_both(row.error.translation_m),
-                if_both(row.error.rotation_rad), row.bound ? row.bound->translation_m : kNoNumber,
-                row.bound ? row.bound->rotation_rad : kNoNumber, row.match_ms);
+  table.add_row(
+      row.name, row.method, row.trial, row.query, row.stems_in_map, row.stems, row.true_stems,
+      r.matches, r.agreeing, r.inliers, r.margin, verdict_name(r.verdict), r.accepted(),
+      row.success, if_accepted(answer.translation_m.x()), if_accepted(answer.translation_m.y()),
+      if_accepted(answer.yaw_rad), if_known(truth.translation_m.x()),
+      if_known(truth.translation_m.y()), if_known(truth.yaw_rad), if_both(row.error.translation_m),
+      if_both(row.error.rotation_rad), row.bound ? row.bound->translation_m : kNoNumber,
+      row.bound ? row.bound->rotation_rad : kNoNumber, if_accepted(stated_m(r)), row.match_ms);
 }
 
 }  // namespace honka::eval

@@ -51,7 +51,7 @@ std::optional<double> over(const std::optional<double>& error, const std::option
   return *error / *bound;
 }
 
-/// RMS errors of the successes beside their bounds, over the same rows.
+/// RMS errors of the successes beside their bounds and what the matcher states, over the same rows.
 void summarize_errors(const Table& table, const RowNumbers& rows, SightingSummary& summary) {
   RowNumbers judged;
   for (const std::size_t row : rows) {
@@ -63,6 +63,9 @@ void summarize_errors(const Table& table, const RowNumbers& rows, SightingSummar
   summary.rms_bound_m = rms("bound_m");
   summary.error_over_bound = over(summary.rms_error_m, summary.rms_bound_m);
   summary.rotation_over_bound = over(rms("rotation_error_rad"), rms("bound_rad"));
+  std::erase_if(judged,
+                [&](std::size_t row) { return std::isnan(table.doubles("stated_m")[row]); });
+  summary.error_over_stated = over(rms("translation_error_m"), rms("stated_m"));
 }
 
 /// What the maps of the group cost.

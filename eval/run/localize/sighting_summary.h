@@ -19,6 +19,7 @@ struct SightingSummary {
   Interval success_interval, wrong_interval;                    ///< Wilson, 95 %
   std::optional<double> rms_error_m, rms_bound_m;               ///< of the successes
   std::optional<double> error_over_bound, rotation_over_bound;  ///< RMS over RMS, successes
+  std::optional<double> error_over_stated;  ///< RMS over RMS: 1 where covariances are honest
   double time_p50_ms = 0.0, time_p95_ms = 0.0;
   double build_ms = 0.0;                            ///< median over forests
   std::optional<double> index_bytes, memory_bytes;  ///< greatest over forests

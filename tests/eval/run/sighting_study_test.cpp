@@ -74,6 +74,23 @@ TEST_CASE("lists without a fault are found, near the bound, and the summary coun
   }
 }
 
+TEST_CASE("what consensus states of its error is what it errs") {
+  Scenario scenario = sighting_scenario();
+  scenario.variants.methods = "consensus";
+  scenario.sighting.queries = 60;
+  scenario.sighting.detector.noise_m = 0.1;
+  const SightingTables tables = run_all(scenario, 2);
+  const SightingSummary s = summarize_sightings(tables.maps, tables.lists).at(0);
+  REQUIRE(s.error_over_stated);
+  CHECK(*s.error_over_stated > 0.75);  // the ratio of 60 lists is known to 0.07
+  CHECK(*s.error_over_stated < 1.3);
+  const auto& stated_m = tables.lists.doubles("stated_m");
+  const auto& accepted = tables.lists.ints("accepted");
+  for (std::size_t row = 0; row < tables.lists.rows(); ++row) {
+    CHECK(std::isnan(stated_m[row]) == (accepted[row] == 0));
+  }
+}
+
 TEST_CASE("of lists from elsewhere none can be right, and none is accepted") {
   Scenario scenario = sighting_scenario();
   scenario.sighting.elsewhere = true;
