@@ -44,6 +44,7 @@ void describe(SettingsVisitor& v, Scenario& s) {
   v.group("link", [&] { describe(v, s.link); });
   v.group("tracking", [&] { describe(v, s.tracking); });
   v.group("options", [&] { describe(v, s.options); });
+  v.group("map_update", [&] { describe(v, s.map_update); });
   v.group("sighting", [&] { describe(v, s.sighting); });
   v.group("pairs", [&] { describe(v, s.pairs); });
   v.group("study", [&] { describe(v, s.study); });

@@ -9,18 +9,13 @@
 #include "algo/types/random.h"
 #include "eval/config/words.h"
 #include "eval/metrics/localization.h"
+#include "eval/run/localize/source_map.h"
 #include "eval/run/stopwatch.h"
 #include "eval/run/trial_world.h"
 #include "sim/forest/forest.h"
 
 namespace honka::eval {
 namespace {
-
-std::vector<Eigen::Vector2d> places_of(const StemMap& stems) {
-  std::vector<Eigen::Vector2d> places_m;
-  for (const Stem& stem : stems) places_m.push_back(stem.position_m);
-  return places_m;
-}
 
 struct OptionsQuery {
   Pose2 T_world_sensor;
