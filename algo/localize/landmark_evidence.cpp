@@ -1,62 +1,64 @@
 #include "algo/localize/landmark_evidence.h"
 
 #include <algorithm>
-#include <cmath>
-#include <limits>
 
 namespace honka {
 namespace {
 
 /// How visible a stem is beside others at its range, and how many are so: undergrowth and forked
-/// neighbours hide some from every side. Choice: a hidden stem must outlast a few misses that take
-/// another out, and what was felled must not outlast many.
+/// neighbours hide some from every side. Choice: few enough that what was felled outlasts a view
+/// more at most; what is hidden is seen often enough in the end to stand.
 constexpr std::array<double, 2> kVisibility = {1.0, 0.5};
-constexpr std::array<double, 2> kVisibilityShare = {0.9, 0.1};
+constexpr std::array<double, 2> kVisibilityShare = {0.98, 0.02};
+
+/// Share of the stems that is felled from one counted view to the next. Choice: high, so that a
+/// long past does not outweigh the last few views.
+constexpr double kFelled = 0.01;
+/// And that comes to be seen: trees grow slowly, a mistake is undone. Choice: far below what the
+/// decision asks for, or misses of low rates would never come to it.
+constexpr double kCome = 1e-4;
+
+constexpr double kGreatestRatio = 1e30;
 
 }  // namespace
 
-LandmarkEvidence::LandmarkEvidence(const RangeRates& rates, double false_rate)
-    : never_{std::log(1.0 - false_rate), std::log(false_rate)} {
+LandmarkEvidence::LandmarkEvidence(const RangeRates& rates, double false_rate) {
   for (std::size_t bin = 0; bin < rates.size(); ++bin) {
-    for (std::size_t u = 0; u < kVisibilities; ++u) {
-      const double rate = kVisibility[u] * rates[bin];
-      stands_[bin][0][u] = std::log(1.0 - rate);
-      stands_[bin][1][u] = std::log(rate);
-    }
+    const ByState seen = {false_rate, kVisibility[0] * rates[bin], kVisibility[1] * rates[bin]};
+    likelihood_[bin] = {ByState{1.0 - seen[0], 1.0 - seen[1], 1.0 - seen[2]}, seen};
   }
-}
-
-double LandmarkEvidence::log_sum(const ByVisibility& logs) {
-  ByVisibility shared = logs;
-  for (std::size_t u = 0; u < kVisibilities; ++u) shared[u] += std::log(kVisibilityShare[u]);
-  const double greatest = *std::max_element(shared.begin(), shared.end());
-  double sum = 0.0;
-  for (const double value : shared) sum += std::exp(value - greatest);
-  return greatest + std::log(sum);
 }
 
 double LandmarkEvidence::stands_over_never(const MapLandmark& landmark) const {
-  ByVisibility stands{};
-  double never = 0.0;
+  double visible = kVisibilityShare[0], hidden = kVisibilityShare[1];
   for (const LandmarkView& view : landmark.views) {
-    never += log_never(view);
-    for (std::size_t u = 0; u < kVisibilities; ++u) stands[u] += log_stands(view)[u];
+    const ByState& l = likelihood(view);
+    visible = std::min(visible * l[1] / l[0], kGreatestRatio);
+    hidden = std::min(hidden * l[2] / l[0], kGreatestRatio);
   }
-  return log_sum(stands) - never;
+  return std::min(visible + hidden, kGreatestRatio);
 }
 
-double LandmarkEvidence::gone_over_stands(const MapLandmark& landmark) const {
-  if (landmark.views.empty()) return 0.0;
-  double gone_since = 0.0;
-  for (const LandmarkView& view : landmark.views) gone_since += log_never(view);
-  ByVisibility stood{};
-  double gone = -std::numeric_limits<double>::infinity();
+bool LandmarkEvidence::stands(const MapLandmark& landmark, double decision_ratio) const {
+  bool stands = landmark.in_map;
+  double gone = 0.5, visible = 0.5 * kVisibilityShare[0], hidden = 0.5 * kVisibilityShare[1];
   for (const LandmarkView& view : landmark.views) {
-    gone = std::max(gone, log_sum(stood) + gone_since);
-    gone_since -= log_never(view);
-    for (std::size_t u = 0; u < kVisibilities; ++u) stood[u] += log_stands(view)[u];
+    const double felled = kFelled * (visible + hidden), come = kCome * gone;
+    gone += felled - come;
+    visible += kVisibilityShare[0] * come - kFelled * visible;
+    hidden += kVisibilityShare[1] * come - kFelled * hidden;
+    const ByState& l = likelihood(view);
+    gone *= l[0];
+    visible *= l[1];
+    hidden *= l[2];
+    const double all = gone + visible + hidden;
+    gone /= all;
+    visible /= all;
+    hidden /= all;
+    if (gone > decision_ratio * (visible + hidden)) stands = false;
+    if (visible + hidden > decision_ratio * gone) stands = true;
   }
-  return gone - log_sum(stood);
+  return stands;
 }
 
 RangeRates detection_rates(const std::vector<MapLandmark>& landmarks, double false_rate) {
@@ -72,8 +74,8 @@ RangeRates detection_rates(const std::vector<MapLandmark>& landmarks, double fal
     double standing = 1.0, all = 2.0;
     for (const MapLandmark& landmark : landmarks) {
       if (!landmark.in_map || landmark.views.empty()) continue;
-      const double odds = standing_share / (1.0 - standing_share) *
-                          std::exp(std::min(evidence.stands_over_never(landmark), 100.0));
+      const double odds =
+          standing_share / (1.0 - standing_share) * evidence.stands_over_never(landmark);
       const double stands = odds / (1.0 + odds);
       for (const LandmarkView& view : landmark.views) {
         expected[view.bin] += stands;

@@ -108,8 +108,8 @@ void describe(SettingsVisitor& v, MapUpdateSettings& s) {
           s.least_paired_share, {0, 1});
   v.field({"false_match_rate", "", "of views that list something where no stem stands", "choice"},
           s.false_match_rate, {1e-6, 0.4});
-  v.field({"decision_ratio", "", "likelihood ratio that retires a stem or lets one join", "choice"},
-          s.decision_ratio, {1, 1e12});
+  v.field({"decision_ratio", "", "odds to 1 that retire a stem or let one join", "choice"},
+          s.decision_ratio, {1, 1e9});
   v.field({"least_sightings", "", "of a stem that joins", "choice"}, s.least_sightings, {1, 1000});
 }
 
@@ -180,25 +180,19 @@ void MapUpdater::remember_view(const Pose2& T_map_local, const std::vector<std::
 }
 
 MapUpdate MapUpdater::update() const {
-  const double decision = std::log(settings_.decision_ratio);
   MapUpdate result;
   result.detection_rate = detection_rates(landmarks_, settings_.false_match_rate);
   const LandmarkEvidence evidence(result.detection_rate, settings_.false_match_rate);
   std::vector<Eigen::Vector2d> joining_m;
   for (std::size_t i = 0; i < landmarks_.size(); ++i) {
     const MapLandmark& landmark = landmarks_[i];
-    if (landmark.in_map) {
-      if (evidence.gone_over_stands(landmark) > decision) {
-        result.retired.push_back(i);
-      } else {
-        result.stems_in_map_m.push_back(landmark.position_in_map_m);
-      }
-      continue;
+    if (!landmark.in_map && landmark.sightings < settings_.least_sightings) continue;
+    const bool stands = evidence.stands(landmark, settings_.decision_ratio);
+    if (stands) {
+      (landmark.in_map ? result.stems_in_map_m : joining_m).push_back(landmark.position_in_map_m);
+    } else if (landmark.in_map) {
+      result.retired.push_back(i);
     }
-    if (landmark.sightings < settings_.least_sightings) continue;
-    if (evidence.stands_over_never(landmark) <= decision) continue;
-    if (evidence.gone_over_stands(landmark) > decision) continue;
-    joining_m.push_back(landmark.position_in_map_m);
   }
   result.added = joining_m.size();
   result.stems_in_map_m.insert(result.stems_in_map_m.end(), joining_m.begin(), joining_m.end());

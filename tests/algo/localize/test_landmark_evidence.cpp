@@ -1,6 +1,5 @@
-// What views say of a stem: it stands, it never stood, it is gone since one of them.
+// What views say of a stem: it stands, it never stood, it was felled between them.
 #include <catch2/catch.hpp>
-#include <cmath>
 
 #include "algo/localize/landmark_evidence.h"
 #include "algo/types/random.h"
@@ -39,55 +38,77 @@ std::vector<MapLandmark> random_stems(std::uint64_t count, std::uint64_t views, 
   return stems;
 }
 
-const double kDecision = std::log(100.0);
+bool is_gone(const LandmarkEvidence& evidence, const std::string& views) {
+  return !evidence.stands(viewed(views), 100.0);
+}
+
+bool joins(const LandmarkEvidence& evidence, const std::string& views) {
+  MapLandmark landmark = viewed(views);
+  landmark.in_map = false;
+  return evidence.stands(landmark, 100.0);
+}
 
 }  // namespace
 
 TEST_CASE("one view weighs what paper says") {
-  // Nine in ten as visible as the rate of 0.8, one half as much: 0.76 are seen.
+  // Of a rate of 0.8 forty-nine stems in fifty are seen, half as often the fiftieth: 0.792.
   const LandmarkEvidence evidence(even_rates(0.8), 0.05);
-  CHECK(evidence.stands_over_never(viewed("x")) == Approx(std::log(0.76 / 0.05)));
-  CHECK(evidence.stands_over_never(viewed(".")) == Approx(std::log(0.24 / 0.95)));
-  CHECK(evidence.gone_over_stands(viewed(".")) == Approx(std::log(0.95 / 0.24)));
-  // Gone before it was seen, or never there: what was seen was none.
-  CHECK(evidence.gone_over_stands(viewed("x")) == Approx(std::log(0.05 / 0.76)));
-  CHECK(evidence.stands_over_never(viewed("")) == Approx(0.0).margin(1e-12));
-  CHECK(evidence.gone_over_stands(viewed("")) == 0.0);
+  CHECK(evidence.stands_over_never(viewed("x")) == Approx(0.792 / 0.05));
+  CHECK(evidence.stands_over_never(viewed(".")) == Approx(0.208 / 0.95));
+  CHECK(evidence.stands_over_never(viewed("")) == Approx(1.0));
+  CHECK(evidence.stands_over_never(viewed(std::string(5000, 'x'))) <= 1e30);
+  CHECK(evidence.stands_over_never(viewed(std::string(5000, '.'))) >= 0.0);
+  // After one miss 0.95 / 0.208 = 4.6 to one, and a little for what was felled before it.
+  CHECK(evidence.stands(viewed("."), 4.8));
+  CHECK_FALSE(evidence.stands(viewed("."), 4.55));
 }
 
-TEST_CASE("a stem that stood for long is as soon gone as one that was never seen") {
+TEST_CASE("without a view all stays as it is") {
   const LandmarkEvidence evidence(even_rates(0.9), 0.03);
-  for (const std::size_t seen : {0U, 5U, 60U, 500U}) {
+  CHECK_FALSE(is_gone(evidence, ""));
+  CHECK_FALSE(joins(evidence, ""));
+}
+
+TEST_CASE("a stem that was seen for long is soon gone, and soon back") {
+  const LandmarkEvidence evidence(even_rates(0.9), 0.03);
+  for (const std::size_t seen : {0U, 5U, 60U, 5000U}) {
     CAPTURE(seen);
     const std::string before(seen, 'x');
-    CHECK(evidence.gone_over_stands(viewed(before + "..")) < kDecision);
-    CHECK(evidence.gone_over_stands(viewed(before + "............")) > kDecision);
-    CHECK(evidence.gone_over_stands(viewed(before + "............xxx")) < kDecision);
+    CHECK_FALSE(is_gone(evidence, before + "."));
+    CHECK(is_gone(evidence, before + "........"));
+    CHECK_FALSE(is_gone(evidence, before + "........xxxxxx"));
+    // One false match does not bring it back.
+    CHECK(is_gone(evidence, before + "........x.."));
   }
-  CHECK(evidence.stands_over_never(viewed(std::string(60, 'x') + "............")) > kDecision);
+}
+
+TEST_CASE("a stem joins when it is seen again and again, and leaves when it is felled") {
+  const LandmarkEvidence evidence(even_rates(0.9), 0.03);
+  CHECK_FALSE(joins(evidence, "x"));
+  CHECK(joins(evidence, "xxx"));
+  CHECK(joins(evidence, "xxxxxx."));
+  CHECK_FALSE(joins(evidence, "xxxxxx........"));
+  // Something every tenth time is what false stems come to.
+  CHECK_FALSE(joins(evidence, "x.........x.........x........."));
 }
 
 TEST_CASE("a stem that undergrowth hides from three views in four stands") {
   const LandmarkEvidence evidence(even_rates(0.9), 0.03);
   std::string text;
-  for (int k = 0; k < 10; ++k) text += "...x";
-  CHECK(evidence.gone_over_stands(viewed(text)) < kDecision);
-  CHECK(evidence.stands_over_never(viewed(text)) > kDecision);
-  // Something every twentieth time is what false stems come to.
-  CHECK(evidence.stands_over_never(viewed("x..................." + std::string(20, '.'))) < 0.0);
+  for (int k = 0; k < 10; ++k) text += "x...";
+  CHECK(evidence.stands_over_never(viewed(text)) > 100.0);
+  CHECK_FALSE(is_gone(evidence, text));
 }
 
-TEST_CASE("of stems that stand at most one in the decision's ratio is taken for gone") {
+TEST_CASE("of stems that stand less than one in the decision's ratio is taken for gone") {
   for (const double rate : {0.5, 0.8, 0.95}) {
     const LandmarkEvidence evidence(even_rates(rate), 0.03);
     int gone = 0;
     for (const MapLandmark& stem : random_stems(3000, 40, rate, 1.0)) {
-      gone += evidence.gone_over_stands(stem) > kDecision ? 1 : 0;
+      gone += evidence.stands(stem, 100.0) ? 0 : 1;
     }
     CAPTURE(rate);
-    // Whenever it is asked (Ville 1939): the views, read backwards, are a likelihood ratio, and
-    // nine tenths of it are the ratio of stems of this visibility.
-    CHECK(gone <= 3000 / 100 / 0.9 + 10);
+    CHECK(gone <= 30);
   }
 }
 
