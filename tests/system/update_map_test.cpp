@@ -70,6 +70,10 @@ Outcome update_map(const TemporaryFolder& folder, const FelledPlot& plot,
   return run_honka(arguments, folder.path());
 }
 
+Eigen::Vector2d place_of(const Json& stem) {
+  return {stem["x_m"].get<double>(), stem["y_m"].get<double>()};
+}
+
 double distance_to_nearest(const Eigen::Vector2d& place,
                            const std::vector<Eigen::Vector2d>& stems) {
   double nearest = 1e9;
@@ -96,8 +100,7 @@ TEST_CASE("update-map writes what stands, keeps the columns of rows that stay, a
   const auto after = read_stems(folder / "new.csv");
   CHECK(after.size() == json["stems_after"]);
   for (const Json& stem : json["added"]) {
-    const Eigen::Vector2d place(stem["x_m"], stem["y_m"]);
-    CHECK(distance_to_nearest(place, plot.standing) < 0.1);
+    CHECK(distance_to_nearest(place_of(stem), plot.standing) < 0.1);
   }
   const std::string text = read_text(folder / "new.csv"), before = read_text(folder / "map.csv");
   CHECK_THAT(text, Catch::StartsWith("# plot 12\nid,x_m,y_m,dbh_m,species\n"));
@@ -108,7 +111,7 @@ TEST_CASE("update-map writes what stands, keeps the columns of rows that stay, a
     const std::string& row = rows.at(stem["line"].get<std::size_t>() - 1);
     CHECK_THAT(row, Catch::StartsWith(stem["id"].get<std::string>() + ","));
     CHECK(text.find(row + "\n") == std::string::npos);
-    CHECK(distance_to_nearest({stem["x_m"], stem["y_m"]}, plot.standing) > 0.5);
+    CHECK(distance_to_nearest(place_of(stem), plot.standing) > 0.5);
     rows[stem["line"].get<std::size_t>() - 1] = rows[0];
   }
   for (const std::string& row : rows) CHECK(text.find(row + "\n") != std::string::npos);

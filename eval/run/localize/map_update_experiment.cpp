@@ -39,12 +39,7 @@ MapUpdateDrive judged_drive(const Scenario& scenario, const MapUpdateWorld& worl
 
 MapUpdateResults drive_all(const RunRequest& request) {
   const Scenario& scenario = request.resolved.scenario;
-  const std::int64_t first = request.trial.value_or(0);
-  if (first >= scenario.trials) {
-    throw UserError(fmt::format("--trial {}: {} has the trials 0 to {}", first,
-                                request.resolved.file.string(), scenario.trials - 1));
-  }
-  const std::int64_t end = request.trial ? first + 1 : scenario.trials;
+  const auto [first, end] = trials_of(request);
   const auto& densities = scenario.map_update.thinned_to_per_ha;
   if (densities.empty()) {
     throw UserError("map_update.thinned_to_per_ha is empty; give at least one density, [156.0]");

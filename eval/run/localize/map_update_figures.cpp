@@ -32,7 +32,7 @@ std::vector<FateStyle> fate_styles() {
   return {
       {StemFate::kKept, "in the map, stands", std::string("pt 7 ps 0.35 lc ") + kGrey},
       {StemFate::kStale, "in the map, felled", std::string("pt 7 ps 0.45 lc ") + kOrange},
-      {StemFate::kRetired, "retired, felled", "pt 6 ps 0.35 lw 0.8 lc '#B4B4B4'"},
+      {StemFate::kRetired, "retired, felled", "pt 6 ps 0.4 lw 0.9 lc '#A8A8A8'"},
       {StemFate::kWronglyRetired, "retired, but stands",
        std::string("pt 2 ps 1.2 lw 2 lc ") + kRed},
       {StemFate::kAdded, "added, stands", std::string("pt 7 ps 0.5 lc ") + kBlue},
@@ -117,7 +117,7 @@ ReportFigure draw_one_success(const std::filesystem::path& folder, const Scenari
          << "set xrange [0:" + number(drive_m) + "]"
          << "set xlabel 'way driven (m)'"
          << "set bmargin 7"
-         << "set key at graph 0.5, screen 0.1 center maxcols 2";
+         << "set key horizontal at graph 0.5, screen 0.07 center maxcols 2";
   for (std::int64_t pass = 1; pass < scenario.map_update.passes; ++pass) {
     const std::string at = number(drive_m * static_cast<double>(pass) /
                                   static_cast<double>(scenario.map_update.passes));
@@ -152,7 +152,8 @@ ReportFigure draw_map_before_after(const std::filesystem::path& folder,
          << "set size ratio -1"
          << "set xlabel 'x (m)'"
          << "set ylabel 'y (m)'"
-         << "set key below maxcols 2";
+         << "set bmargin 10"
+         << "set key at graph 0.5, screen 0.055 center maxcols 2";
   plot_panel(figure, exhibit.before, "before: the old map against the thinned stand");
   plot_panel(figure, exhibit.after, "after: updated by " + exhibit.after.quality.fed_by);
   figure << "unset multiplot";
