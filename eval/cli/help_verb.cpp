@@ -88,9 +88,10 @@ constexpr const char* kUpdateMap =
 
 Brings a stem map up to date after a thinning. Each LOCAL.csv (as of honka locate; in the order in
 which they were seen) is found in the map as updated so far. By the accepted ones stems are retired
-that were in view and missed, once the odds are 100 to 1 that they are gone, and stems join that were
-seen again and again and are not in the map. NEW.csv is MAP.csv without the rows of retired stems and with a row for each
-that joined (x_m,y_m; other cells empty); rows that stay keep every column.
+that were in view and missed, once the odds are 100 to 1 that they are gone, and stems join that
+were seen again and again and are not in the map. NEW.csv is MAP.csv without the rows of retired
+stems and with a row for each that joined (x_m,y_m; other cells empty); rows that stay keep every
+column.
 
 --range-m   up to which the lists are to be trusted: farther stems are neither retired nor added
 --view-deg  of the sensor about its x axis: what lies outside is not missed
