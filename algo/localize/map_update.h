@@ -17,21 +17,28 @@ struct MapUpdateSettings {
   double field_of_view_deg = 210.0;
   double pairing_gate_m = 0.6;
   double view_spacing_m = 2.0;
+  double least_paired_share = 0.5;
   double false_match_rate = 0.03;
   double decision_ratio = 100.0;
   std::int64_t least_sightings = 3;
 };
 void describe(SettingsVisitor& v, MapUpdateSettings& s);
 
+/// A counted view that had a landmark in it.
+struct LandmarkView {
+  Eigen::Vector2d from_m = Eigen::Vector2d::Zero();  ///< the sensor, in the map
+  std::uint8_t bin = 0;                              ///< of the range, in fifths
+  bool seen = false;                                 ///< whether the list had it
+};
+
 /// A stem of the map, or one that may join it.
 struct MapLandmark {
   static constexpr std::size_t kRangeBins = 5;
+  /// Of a map stem as it was given, of another the mean of where it was seen.
   Eigen::Vector2d position_in_map_m = Eigen::Vector2d::Zero();
-  bool in_map = false;                              ///< of the map that was given
-  std::array<std::int64_t, kRangeBins> expected{};  ///< views that had it in range and view
-  std::array<std::int64_t, kRangeBins> seen{};      ///< of these, those that listed it
-
-  [[nodiscard]] std::int64_t sightings() const;
+  bool in_map = false;              ///< of the map that was given
+  std::int64_t sightings = 0;       ///< lists that had it, the one that founded it among them
+  std::vector<LandmarkView> views;  ///< oldest first; of each place the newest alone
 };
 
 /// What an update decided.
@@ -43,27 +50,36 @@ struct MapUpdate {
   std::array<double, MapLandmark::kRangeBins> detection_rate{};
 };
 
-/// Keeps a stem map up to date while the stand is thinned: counts for each stem how often it was
-/// in view and how often seen, and weighs "stands" against "gone". Stems that are seen and unknown
-/// are counted the same way, and join.
+/// Keeps a stem map up to date while the stand is thinned: remembers of each stem from where it was
+/// in view and whether it was seen, and weighs "stands" against "gone since some view". Stems that
+/// are seen and unknown are weighed the same way, and join. Nothing is final: a stem that was
+/// retired and is seen again comes back at the next update.
 class MapUpdater {
  public:
   /// Map of N stems, metres. Throws UserError at a coordinate that is not finite.
   MapUpdater(const std::vector<Eigen::Vector2d>& stems_in_map_m, const MapUpdateSettings& settings);
 
-  /// An accepted localization and its stems. A view nearer than `view_spacing_m` to the last one
-  /// that was counted is left out: its occlusions are the same. Returns whether it was counted.
+  /// An accepted localization and its stems; the pose is fitted anew to the stems of the map that
+  /// it lays them on. Left out, and answered with false: a view nearer than `view_spacing_m` to the
+  /// last one that was counted, whose occlusions are the same; one of which less than
+  /// `least_paired_share` lies on stems, whose pose is wrong or whose place is not mapped. A view
+  /// from a place that was counted long ago takes the older one's place.
   bool add_view(const Pose2& T_map_local, const std::vector<Eigen::Vector2d>& stems_in_local_m);
 
   [[nodiscard]] MapUpdate update() const;
   [[nodiscard]] const std::vector<MapLandmark>& landmarks() const { return landmarks_; }
 
- private:
-  struct InView {
-    std::size_t landmark = 0, bin = 0;
+  /// A listed stem and the landmark that it is.
+  struct Pair {
+    double distance_m = 0.0;
+    std::size_t listed = 0, landmark = 0;
   };
-  [[nodiscard]] std::vector<InView> landmarks_in_view(const Pose2& T_map_local) const;
-  [[nodiscard]] std::array<double, MapLandmark::kRangeBins> detection_rates() const;
+
+ private:
+  [[nodiscard]] std::vector<std::size_t> landmarks_around(const Eigen::Vector2d& place_m,
+                                                          double reach_m) const;
+  void remember_view(const Pose2& T_map_local, const std::vector<std::size_t>& near,
+                     const std::vector<Pair>& pairs);
 
   MapUpdateSettings settings_;
   std::vector<MapLandmark> landmarks_;

@@ -25,6 +25,7 @@ Verbs
   study SCENARIO       many trials at many points; shards, resume, clusters
   simulate SCENARIO    record scans and truth (HDF5)
   locate MAP LOCAL…    the pose of each local stem list in the map
+  update-map MAP LOCAL… --out NEW the map after those lists: stems gone and new
   register TARGET SOURCE          lay one sparse cloud onto another
   slam FRAMES          key frames of stems into one map: trajectory, stems, quality
   score RECORDING POSES [STEMS]   judge poses and stems made elsewhere
@@ -79,6 +80,26 @@ not_in_map, ambiguous, or too_few_stems (an empty list too). All lists share one
            index of another map is replaced; a file that is no index is left alone: exit 2)
 --json     one object a local file: local, method, verdict, accepted, x_m, y_m, yaw_rad, stems,
 matches, agreeing, inliers, margin, time_ms; map_ms in the first.
+)";
+
+constexpr const char* kUpdateMap =
+    R"(honka update-map MAP.csv LOCAL.csv… --out NEW.csv [--method consensus|li2020]
+                 [--range-m 25] [--view-deg 210] [--every 25] [--tolerance-m2 4.5] [--json]
+
+Brings a stem map up to date after a thinning. Each LOCAL.csv (as of honka locate; in the order in
+which they were seen) is found in the map as updated so far. By the accepted ones stems are retired
+that were in view and missed, once the odds are 100 to 1 that they are gone, and stems join that
+were seen again and again and are not in the map. NEW.csv is MAP.csv without the rows of retired
+stems and with a row for each that joined (x_m,y_m; other cells empty); rows that stay keep every
+column.
+
+--range-m   up to which the lists are to be trusted: farther stems are neither retired nor added
+--view-deg  of the sensor about its x axis: what lies outside is not missed
+--every     lists from one update to the next; li2020 needs them more than consensus
+--json      map, out, method, lists, accepted, refused, counted (views 2 m apart), stems_before,
+            stems_after, retired (line, x_m, y_m, id), added (x_m, y_m), detection_rate by fifths of
+            the range, views (local, verdict, counted)
+A refused list is an answer (exit 0) and changes nothing; a few views change little.
 )";
 
 constexpr const char* kSlam =
@@ -204,7 +225,7 @@ int help_verb(const std::string& topic) {
       {"run", kScenarios},     {"formats", kFormats},     {"simulate", kFormats},
       {"report", kFormats},    {"score", kFormats},       {"locate", kLocate},
       {"evaluate", kEvaluate}, {"register", kRegister},   {"slam", kSlam},
-      {"check", kCheck},       {"study", kStudy},
+      {"check", kCheck},       {"study", kStudy},         {"update-map", kUpdateMap},
   };
   if (topic == "experiments") {
     print_experiments();

@@ -11,16 +11,11 @@
 #include "eval/cli/locate_prior.h"
 #include "eval/cli/verbs.h"
 #include "eval/io/csv.h"
+#include "eval/run/localize/source_map.h"
 #include "eval/run/stopwatch.h"
 
 namespace honka::eval {
 namespace {
-
-std::vector<Eigen::Vector2d> positions(const StemMap& stems) {
-  std::vector<Eigen::Vector2d> result;
-  for (const Stem& stem : stems) result.push_back(stem.position_m);
-  return result;
-}
 
 nlohmann::ordered_json answer(const std::filesystem::path& local, const std::string& method,
                               const LocateResult& result, double time_ms) {
@@ -116,10 +111,10 @@ int locate_verb(const LocateArguments& arguments) {
   check_arguments(arguments);
   std::optional<LocatePrior> prior;
   if (arguments.prior) prior = parse_prior(*arguments.prior);
-  const std::vector<Eigen::Vector2d> map = positions(read_stem_csv(arguments.map));
+  const std::vector<Eigen::Vector2d> map = places_of(read_stem_csv(arguments.map));
   std::vector<std::vector<Eigen::Vector2d>> locals;
   for (const auto& file : arguments.locals) {
-    locals.push_back(positions(read_stem_csv(file, StemList::kMayBeEmpty)));
+    locals.push_back(places_of(read_stem_csv(file, StemList::kMayBeEmpty)));
   }
   const MapMatcher by_map = make_map_matcher(arguments, map);
 

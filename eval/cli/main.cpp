@@ -3,6 +3,7 @@
 #include <exception>
 #include <functional>
 
+#include "algo/localize/matcher.h"
 #include "algo/slam/registration/register.h"
 #include "algo/types/user_error.h"
 #include "eval/cli/study_verb.h"
@@ -61,6 +62,26 @@ void add_locate(CLI::App& app, LocateArguments& arguments, Action& action) {
   verb.add_option("--index", arguments.index, "of consensus: loaded if it is of MAP, else written");
   verb.add_flag("--json", arguments.json, "one JSON object a local file");
   verb.callback([&] { action = [&] { return locate_verb(arguments); }; });
+}
+
+void add_update_map(CLI::App& app, UpdateMapArguments& arguments, Action& action) {
+  auto& verb = *app.add_subcommand("update-map", "bring a stem map up to date by stem lists");
+  verb.add_option("MAP", arguments.map, "stem list of the map (CSV)")->required();
+  verb.add_option("LOCAL", arguments.locals, "stem lists seen from the sensor (CSV), in order")
+      ->required();
+  verb.add_option("--out", arguments.out, "stem list of the updated map (CSV)")->required();
+  verb.add_option("--method", arguments.method, "how lists are found: consensus or li2020")
+      ->check(CLI::IsMember(matcher_names()));
+  verb.add_option("--tolerance-m2", arguments.tolerance_m2, "of li2020, as in locate")
+      ->check(CLI::Range(0.0, kLargestTolerance_m2));
+  verb.add_option("--range-m", arguments.range_m, "up to which the lists are to be trusted")
+      ->check(CLI::Range(1.0, 1000.0));
+  verb.add_option("--view-deg", arguments.field_of_view_deg, "of the sensor, about its x axis")
+      ->check(CLI::Range(1.0, 360.0));
+  verb.add_option("--every", arguments.every, "lists from one update of the map to the next")
+      ->check(CLI::Range(std::int64_t{1}, std::int64_t{1000000}));
+  verb.add_flag("--json", arguments.json, "one JSON object");
+  verb.callback([&] { action = [&] { return update_map_verb(arguments); }; });
 }
 
 void add_register(CLI::App& app, RegisterArguments& arguments, Action& action) {
@@ -152,6 +173,7 @@ int parse_and_act(int argc, char** argv) {
   RunArguments run;
   SimulateArguments simulate;
   LocateArguments locate;
+  UpdateMapArguments update_map;
   SlamArguments slam;
   ScoreArguments score;
   RegisterArguments registration;
@@ -166,6 +188,7 @@ int parse_and_act(int argc, char** argv) {
   add_study(app, study, action);
   add_simulate(app, simulate, action);
   add_locate(app, locate, action);
+  add_update_map(app, update_map, action);
   add_register(app, registration, action);
   add_slam(app, slam, action);
   add_score(app, score, action);

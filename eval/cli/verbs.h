@@ -39,6 +39,16 @@ struct LocateArguments {
   bool json = false;
 };
 
+struct UpdateMapArguments {
+  std::filesystem::path map, out;
+  std::vector<std::filesystem::path> locals;  ///< in the order in which they were seen
+  std::string method = "consensus";
+  double tolerance_m2 = 4.5;
+  double range_m = 25.0, field_of_view_deg = 210.0;  ///< of the lists, as far as they are counted
+  std::int64_t every = 25;                           ///< lists from one update to the next
+  bool json = false;
+};
+
 struct RegisterArguments {
   std::filesystem::path target, source;
   std::string method;
@@ -81,6 +91,7 @@ struct CheckArguments {
 int run_verb(const RunArguments& arguments);
 int simulate_verb(const SimulateArguments& arguments);
 int locate_verb(const LocateArguments& arguments);
+int update_map_verb(const UpdateMapArguments& arguments);
 int register_verb(const RegisterArguments& arguments);
 int slam_verb(const SlamArguments& arguments);
 int score_verb(const ScoreArguments& arguments);

@@ -44,6 +44,7 @@ void describe(SettingsVisitor& v, Scenario& s) {
   v.group("link", [&] { describe(v, s.link); });
   v.group("tracking", [&] { describe(v, s.tracking); });
   v.group("options", [&] { describe(v, s.options); });
+  v.group("map_update", [&] { describe(v, s.map_update); });
   v.group("sighting", [&] { describe(v, s.sighting); });
   v.group("pairs", [&] { describe(v, s.pairs); });
   v.group("study", [&] { describe(v, s.study); });
@@ -104,17 +105,18 @@ StemMap read_measured(const ResolvedScenario& resolved) {
   }
 }
 
-/// What a scenario is called, where its data lie, and how many trials a study has or how long it
-/// waits for one does not change the results of a trial.
-bool changes_results(const std::string& key) {
+/// What a scenario is called, where its data lie, how many trials a study has or how long it waits
+/// for one, and the keys of an experiment that is not run do not change the results of a trial.
+bool changes_results(const std::string& key, const std::string& experiment) {
   if (key.rfind("study.", 0) == 0) return key == "study.worlds";
+  if (key.rfind("map_update.", 0) == 0) return experiment == "map_update";
   return key != "title" && key != "question" && key != "forest.stem_map" && key != "pairs.folder";
 }
 
 std::string hash_of(const Scenario& scenario) {
   std::string text;
   for (const KeyEntry& entry : list_keys(scenario)) {
-    if (!changes_results(entry.key)) continue;
+    if (!changes_results(entry.key, scenario.experiment)) continue;
     text += entry.key + "=" + format_value(entry.value) + "\n";
   }
   if (scenario.measured) {

@@ -15,6 +15,7 @@
 #include "eval/config/experiment_settings.h"
 #include "eval/config/key_table.h"
 #include "eval/config/link_study_settings.h"
+#include "eval/config/map_update_study_settings.h"
 #include "eval/config/options_study_settings.h"
 #include "eval/config/sighting_study_settings.h"
 #include "eval/config/slam_settings.h"
@@ -54,6 +55,7 @@ struct Scenario {
   LinkStudySettings link;
   TrackingStudySettings tracking;
   OptionsStudySettings options;
+  MapUpdateStudySettings map_update;
   SightingStudySettings sighting;
   StemPairSettings pairs;
   StudySettings study;

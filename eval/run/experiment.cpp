@@ -5,6 +5,7 @@
 
 #include "algo/types/user_error.h"
 #include "eval/run/localization_experiment.h"
+#include "eval/run/localize/map_update_experiment.h"
 #include "eval/run/localize/options_experiment.h"
 #include "eval/run/localize/sighting_experiment.h"
 #include "eval/run/localize/stem_pairs_experiment.h"
@@ -35,6 +36,8 @@ const std::vector<Experiment>& experiments() {
        run_tracking_experiment},
       {"options", "The future work of Li et al. 2020 as options beside the literal matcher",
        run_options_experiment},
+      {"map_update", "A stand thinned since it was mapped: localization while the map is updated",
+       run_map_update_experiment},
       {"odometry", "Drift, speed and failures of the lidar odometries, stand by stand",
        run_odometry_experiment},
       {"link", "Edge and cloud apart: map quality by bandwidth, loss and delay",

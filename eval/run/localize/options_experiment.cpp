@@ -1,16 +1,14 @@
 #include "eval/run/localize/options_experiment.h"
 
-#include <fmt/format.h>
-
 #include <cmath>
 
-#include "algo/types/user_error.h"
 #include "eval/io/context.h"
 #include "eval/io/safe_file.h"
 #include "eval/io/table.h"
 #include "eval/report/console_table.h"
 #include "eval/report/html_report.h"
 #include "eval/report/summary.h"
+#include "eval/run/localize/localize_results.h"
 #include "eval/run/localize/options_tables.h"
 #include "eval/run/progress.h"
 #include "eval/run/scenario_json.h"
@@ -25,12 +23,7 @@ struct OptionsResults {
 
 OptionsResults run_options(const RunRequest& request) {
   const Scenario& scenario = request.resolved.scenario;
-  const std::int64_t first = request.trial.value_or(0);
-  if (first >= scenario.trials) {
-    throw UserError(fmt::format("--trial {}: {} has the trials 0 to {}", first,
-                                request.resolved.file.string(), scenario.trials - 1));
-  }
-  const std::int64_t end = request.trial ? first + 1 : scenario.trials;
+  const auto [first, end] = trials_of(request);
   const std::vector<OptionsCase> cases = options_cases(scenario);
   OptionsResults results;
   for (const OptionsCase& one : cases) results.rows.push_back({one, {}, 0});

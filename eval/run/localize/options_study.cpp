@@ -8,6 +8,7 @@
 #include "algo/types/random.h"
 #include "eval/config/words.h"
 #include "eval/metrics/localization.h"
+#include "eval/run/localize/source_map.h"
 #include "eval/run/parallel.h"
 #include "eval/run/stopwatch.h"
 #include "eval/run/trial_world.h"
@@ -15,12 +16,6 @@
 
 namespace honka::eval {
 namespace {
-
-std::vector<Eigen::Vector2d> places_of(const StemMap& stems) {
-  std::vector<Eigen::Vector2d> places_m;
-  for (const Stem& stem : stems) places_m.push_back(stem.position_m);
-  return places_m;
-}
 
 struct OptionsQuery {
   Pose2 T_world_sensor;

@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include "algo/types/user_error.h"
 #include "eval/run/localize/localize_results.h"
 #include "eval/run/localize/sighting_figures.h"
 #include "eval/run/localize/sighting_tables.h"
@@ -30,12 +29,7 @@ std::int64_t queries_in_all(const Scenario& scenario, const std::vector<Sighting
 
 SightingResults run_cases(const RunRequest& request, const std::vector<SightingCase>& cases) {
   const Scenario& scenario = request.resolved.scenario;
-  const std::int64_t first = request.trial.value_or(0);
-  const std::int64_t end = request.trial ? first + 1 : scenario.trials;
-  if (first >= scenario.trials) {
-    throw UserError(fmt::format("--trial {}: {} has the trials 0 to {}", first,
-                                request.resolved.file.string(), scenario.trials - 1));
-  }
+  const auto [first, end] = trials_of(request);
   Progress progress("localization of stem lists", "lists",
                     queries_in_all(scenario, cases) * (end - first) / scenario.trials);
   SightingResults results;

@@ -21,6 +21,12 @@ StemMap source_map(const sim::Stand& stand, const Scenario& scenario, std::uint6
                   map.source));
 }
 
+std::vector<Eigen::Vector2d> places_of(const StemMap& stems) {
+  std::vector<Eigen::Vector2d> places_m;
+  for (const Stem& stem : stems) places_m.push_back(stem.position_m);
+  return places_m;
+}
+
 TrunkMap listed_trunk_map(const Scenario& scenario, const sim::Stand& stand,
                           const StemSettings& settings, std::uint64_t seed) {
   TrunkMap map;

@@ -1,7 +1,9 @@
 #pragma once
 
+#include <Eigen/Core>
 #include <cstdint>
 #include <string_view>
+#include <vector>
 
 #include "algo/types/stem.h"
 #include "eval/config/scenario.h"
@@ -17,6 +19,9 @@ namespace honka::eval {
 /// depend on (tree, seed). UserError at a source that is a run.
 [[nodiscard]] StemMap source_map(const sim::Stand& stand, const Scenario& scenario,
                                  std::uint64_t seed);
+
+/// Where the stems of a list stand.
+[[nodiscard]] std::vector<Eigen::Vector2d> places_of(const StemMap& stems);
 
 /// The same as a trunk map, its settings telling whether it counts as the repaired form's.
 [[nodiscard]] TrunkMap listed_trunk_map(const Scenario& scenario, const sim::Stand& stand,

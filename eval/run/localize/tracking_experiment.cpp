@@ -1,7 +1,5 @@
 #include "eval/run/localize/tracking_experiment.h"
 
-#include <fmt/format.h>
-
 #include <optional>
 
 #include "algo/types/user_error.h"
@@ -10,6 +8,7 @@
 #include "eval/io/safe_file.h"
 #include "eval/report/console_table.h"
 #include "eval/report/html_report.h"
+#include "eval/run/localize/localize_results.h"
 #include "eval/run/localize/tracking_figures.h"
 #include "eval/run/localize/tracking_rows.h"
 #include "eval/run/scenario_json.h"
@@ -40,12 +39,7 @@ struct TrackingResults {
 
 TrackingResults track_trials(const RunRequest& request, const std::filesystem::path& figures) {
   const Scenario& scenario = request.resolved.scenario;
-  const std::int64_t first = request.trial.value_or(0);
-  if (first >= scenario.trials) {
-    throw UserError(fmt::format("--trial {}: {} has the trials 0 to {}", first,
-                                request.resolved.file.string(), scenario.trials - 1));
-  }
-  const std::int64_t end = request.trial ? first + 1 : scenario.trials;
+  const auto [first, end] = trials_of(request);
   TrackingResults results;
   for (std::int64_t trial = first; trial < end; ++trial) {
     const TrackingDrive drive = make_tracking_drive(scenario, trial, request.threads);

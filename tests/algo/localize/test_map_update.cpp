@@ -156,8 +156,111 @@ TEST_CASE("Views from one place count once, and no number that is none gets in")
   MapUpdater updater({{5.0, 0.0}}, {});
   CHECK(updater.add_view({}, {}));
   CHECK_FALSE(updater.add_view({{1.0, 0.0}, 0.0}, {}));
-  CHECK(updater.landmarks()[0].expected[1] == 1);
+  REQUIRE(updater.landmarks()[0].views.size() == 1);
+  CHECK(updater.landmarks()[0].views[0].bin == 1);
   CHECK(updater.add_view({{-3.0, 0.0}, 0.0}, {{NAN, 0.0}}));
   CHECK(updater.landmarks().size() == 1);
+  // To and fro: each of the two places speaks once, as it was seen last.
+  for (int k = 0; k < 20; ++k) {
+    CHECK(updater.add_view({{k % 2 == 0 ? 0.0 : -3.0, 0.0}, 0.0}, {{k % 2 == 0 ? 5.0 : 8.0, 0.0}}));
+  }
+  REQUIRE(updater.landmarks()[0].views.size() == 2);
+  CHECK(updater.landmarks()[0].views[0].seen);
+  CHECK(updater.landmarks()[0].views[1].seen);
   CHECK_THROWS_AS(MapUpdater({{NAN, 0.0}}, {}), UserError);
+}
+
+TEST_CASE("At the edges of a view nothing is missed, and nothing founded beside itself") {
+  // Half a metre from the range, from the ray at 105 degrees, and well inside both.
+  const double edge = deg_to_rad(105.0);
+  const Eigen::Vector2d aside =
+      10.0 * Eigen::Vector2d(std::cos(edge - 0.03), std::sin(edge - 0.03));
+  MapUpdater updater({{24.7, 0.0}, {25.1, 3.0}, aside, {10.0, 0.0}}, {});
+  REQUIRE(updater.add_view({}, {{24.65, 0.0}, {24.8, 3.0}, {10.1, 0.0}}));
+  CHECK(updater.landmarks().size() == 4);
+  CHECK(updater.landmarks()[0].views.empty());
+  CHECK(updater.landmarks()[1].views.empty());
+  CHECK(updater.landmarks()[2].views.empty());
+  CHECK(updater.landmarks()[3].views.size() == 1);
+}
+
+TEST_CASE("Two stems within the gate of one are two") {
+  MapUpdater updater({{10.0, 0.0}, {10.0, 8.0}, {5.0, -6.0}, {15.0, -3.0}}, {});
+  const UpdatePoints list = {{10.0, 0.0}, {10.4, 0.0}, {10.0, 8.0}, {5.0, -6.0}, {15.0, -3.0}};
+  for (int k = 0; k < 6; ++k) {
+    const Pose2 T_map_local{{-2.5 * k, 0.0}, 0.0};
+    UpdatePoints local;
+    for (const Eigen::Vector2d& stem : list) local.push_back(T_map_local.inverse() * stem);
+    REQUIRE(updater.add_view(T_map_local, local));
+  }
+  const MapUpdate update = updater.update();
+  CHECK(update.added == 1);
+  REQUIRE(update.stems_in_map_m.size() == 5);
+  CHECK((update.stems_in_map_m[4] - Eigen::Vector2d(10.4, 0.0)).norm() < 1e-9);
+}
+
+TEST_CASE("A view whose pose is wrong is left out; one a little off is fitted to the map") {
+  const ThinnedStand stand;
+  MapUpdater updater(stand.standing, {});
+  const Pose2 truth = update_pose(20);
+  const UpdatePoints list = stand.full_view(truth, 20);
+  CHECK_FALSE(updater.add_view({truth.translation_m + Eigen::Vector2d(31.0, 7.0), 2.0}, list));
+  for (const MapLandmark& landmark : updater.landmarks()) CHECK(landmark.views.empty());
+  // 0.25 m and 1 degree off: 0.7 m at the range, beyond the gate.
+  const Pose2 off{truth.translation_m + Eigen::Vector2d(0.2, -0.15), truth.yaw_rad + 0.0175};
+  REQUIRE(updater.add_view(off, list));
+  CHECK(updater.landmarks().size() == stand.standing.size());
+  int seen = 0, missed = 0;
+  for (const MapLandmark& landmark : updater.landmarks()) {
+    for (const LandmarkView& view : landmark.views) ++(view.seen ? seen : missed);
+  }
+  CHECK(seen > 30);
+  CHECK(missed == 0);
+}
+
+TEST_CASE("What is felled after the machine came by often is retired at its next coming") {
+  const ThinnedStand stand;
+  MapUpdater updater(stand.old_map, {});
+  std::uint64_t number = 0;
+  const auto drive = [&](const UpdatePoints& standing) {
+    ThinnedStand seen = stand;
+    seen.standing = standing;
+    for (int k = 0; k < 120; ++k, ++number) {
+      static_cast<void>(updater.add_view(update_pose(k), seen.view(update_pose(k), number)));
+    }
+  };
+  const auto felled_retired = [&] {
+    std::size_t count = 0;
+    for (const std::size_t i : updater.update().retired) count += stand.felled[i] == 1 ? 1U : 0U;
+    return count;
+  };
+  for (int pass = 0; pass < 3; ++pass) drive(stand.old_map);
+  CHECK(updater.update().retired.size() < 10);
+  drive(stand.standing);
+  const auto felled =
+      static_cast<std::size_t>(std::count(stand.felled.begin(), stand.felled.end(), 1));
+  CHECK(felled_retired() > 0.9 * static_cast<double>(felled));
+  // A retired stem that is seen again comes back.
+  drive(stand.old_map);
+  CHECK(felled_retired() < 0.05 * static_cast<double>(felled));
+}
+
+TEST_CASE("A stem that joins lies in the middle of where it was seen") {
+  const ThinnedStand stand;
+  const UpdatePoints& truth = stand.standing;
+  const MapUpdate update = update_thinned(stand);
+  double squares_m2 = 0.0;
+  int joined = 0;
+  for (std::size_t i = update.stems_in_map_m.size() - update.added;
+       i < update.stems_in_map_m.size(); ++i) {
+    double nearest_m = 1.0;
+    for (const Eigen::Vector2d& stem : truth) {
+      nearest_m = std::min(nearest_m, (update.stems_in_map_m[i] - stem).norm());
+    }
+    if (nearest_m >= 0.5) continue;
+    squares_m2 += nearest_m * nearest_m;
+    ++joined;
+  }
+  REQUIRE(joined > 10);
+  CHECK(std::sqrt(squares_m2 / joined) < 0.07);  // one sighting: 0.14 m
 }
