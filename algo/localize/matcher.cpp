@@ -16,21 +16,28 @@ namespace honka {
 namespace {
 
 using Stems = std::vector<Eigen::Vector2d>;
-using Factory = std::unique_ptr<Matcher> (*)(const Stems&, const LocalizeSettings&);
+using StemsWithHeights = std::vector<Eigen::Vector3d>;
 
 struct Entry {
   std::string_view name;
-  Factory create;
+  std::unique_ptr<Matcher> (*create)(const Stems&, const LocalizeSettings&);
+  /// Of a matcher that can ask for heights; null where settings do not ask.
+  std::unique_ptr<Matcher> (*create_with_heights)(const StemsWithHeights&,
+                                                  const LocalizeSettings&) = nullptr;
 };
+
+template <int D>
+std::unique_ptr<Matcher> make_li2020(const StarPoints<D>& map, const Li2020Settings& settings) {
+  if (settings.submap_size_m > 0.0) return std::make_unique<SubmapMatcherIn<D>>(map, settings);
+  return std::make_unique<Li2020MatcherIn<D>>(map, settings);
+}
 
 // One line for each matcher.
 constexpr std::array kMatchers = {
     Entry{"li2020",
-          [](const Stems& map, const LocalizeSettings& s) -> std::unique_ptr<Matcher> {
-            if (s.li2020.submap_size_m > 0.0) {
-              return std::make_unique<SubmapMatcher>(map, s.li2020);
-            }
-            return std::make_unique<Li2020Matcher>(map, s.li2020);
+          [](const Stems& map, const LocalizeSettings& s) { return make_li2020<2>(map, s.li2020); },
+          [](const StemsWithHeights& map, const LocalizeSettings& s) -> std::unique_ptr<Matcher> {
+            return s.li2020.stars == "space" ? make_li2020<3>(map, s.li2020) : nullptr;
           }},
     Entry{"consensus",
           [](const Stems& map, const LocalizeSettings& s) -> std::unique_ptr<Matcher> {
@@ -38,6 +45,14 @@ constexpr std::array kMatchers = {
                                                       s.consensus);
           }},
 };
+
+const Entry& entry_of(std::string_view method) {
+  const auto* entry = std::find_if(kMatchers.begin(), kMatchers.end(),
+                                   [&](const Entry& e) { return e.name == method; });
+  if (entry != kMatchers.end()) return *entry;
+  throw UserError(fmt::format("no matcher is called \"{}\"; choose one of: {}", method,
+                              fmt::join(matcher_names(), ", ")));
+}
 
 }  // namespace
 
@@ -72,15 +87,46 @@ void describe(SettingsVisitor& v, LocalizeSettings& s) {
   v.group("consensus", [&] { describe(v, s.consensus); });
 }
 
+std::vector<Eigen::Vector2d> plan_of(const std::vector<Eigen::Vector3d>& stems_m) {
+  std::vector<Eigen::Vector2d> plan_m;
+  plan_m.reserve(stems_m.size());
+  for (const Eigen::Vector3d& stem : stems_m) {
+    if (!std::isfinite(stem.z())) {
+      throw UserError(
+          fmt::format("stem {} of {} has the height {}: give its z in metres, or leave "
+                      "all heights out",
+                      plan_m.size() + 1, stems_m.size(), stem.z()));
+    }
+    plan_m.emplace_back(stem.head<2>());
+  }
+  return plan_m;
+}
+
+LocateResult Matcher::locate(const std::vector<Eigen::Vector2d>&,
+                             const std::optional<LocatePrior>&) const {
+  throw UserError("the list has stems without heights, and the matcher compares them in space; " +
+                  std::string("give z_m of each, or set li2020.stars to \"plane\""));
+}
+
+LocateResult Matcher::locate(const std::vector<Eigen::Vector3d>& stems_in_local_m,
+                             const std::optional<LocatePrior>& prior) const {
+  return locate(plan_of(stems_in_local_m), prior);
+}
+
 std::unique_ptr<Matcher> create_matcher(std::string_view method, const Stems& stems_in_map_m,
                                         const LocalizeSettings& settings) {
-  const auto* entry = std::find_if(kMatchers.begin(), kMatchers.end(),
-                                   [&](const Entry& e) { return e.name == method; });
-  if (entry == kMatchers.end()) {
-    throw UserError(fmt::format("no matcher is called \"{}\"; choose one of: {}", method,
-                                fmt::join(matcher_names(), ", ")));
+  return entry_of(method).create(stems_in_map_m, settings);
+}
+
+std::unique_ptr<Matcher> create_matcher(std::string_view method,
+                                        const StemsWithHeights& stems_in_map_m,
+                                        const LocalizeSettings& settings) {
+  const Entry& entry = entry_of(method);
+  if (entry.create_with_heights != nullptr) {
+    auto matcher = entry.create_with_heights(stems_in_map_m, settings);
+    if (matcher) return matcher;
   }
-  return entry->create(stems_in_map_m, settings);
+  return entry.create(plan_of(stems_in_map_m), settings);
 }
 
 }  // namespace honka

@@ -63,7 +63,10 @@ void check_prior(const std::optional<LocatePrior>& prior);
 /// The answer for one local stem list.
 struct LocateResult {
   Verdict verdict = Verdict::kTooFewStems;
-  Pose2 T_map_local;    ///< best guess, also when refused; the identity when nothing matched
+  Pose2 T_map_local;  ///< best guess, also when refused; the identity when nothing matched
+  /// The same with height and tilt; T_map_local is its plan. Of matchers that ask for heights,
+  /// where anything matched.
+  std::optional<Pose3> T_map_local_3d;
   int stems = 0;        ///< in the local list
   int local_stars = 0;  ///< stars that were looked for
   int candidates = 0;   ///< pairs of local and map stars within the tolerance
@@ -95,14 +98,26 @@ class Matcher {
   /// a prior, among the places it allows. Any number of stems is an answerable question. Throws
   /// UserError at a coordinate not finite or a radius not positive. Safe to call from several
   /// threads.
+  /// UserError, too, from a matcher that asks for heights. One that does not overrides this alone.
   [[nodiscard]] virtual LocateResult locate(const std::vector<Eigen::Vector2d>& stems_in_local_m,
-                                            const std::optional<LocatePrior>& prior) const = 0;
+                                            const std::optional<LocatePrior>& prior) const;
+
+  /// The same of N stems with heights: where each stands, x, y, z from the sensor along its axes,
+  /// which may be tilted. A matcher in the plane leaves z out. UserError at a height not finite.
+  [[nodiscard]] virtual LocateResult locate(const std::vector<Eigen::Vector3d>& stems_in_local_m,
+                                            const std::optional<LocatePrior>& prior) const;
 
   /// Without a prior.
   [[nodiscard]] LocateResult locate(const std::vector<Eigen::Vector2d>& stems_in_local_m) const {
     return locate(stems_in_local_m, std::nullopt);
   }
+  [[nodiscard]] LocateResult locate(const std::vector<Eigen::Vector3d>& stems_in_local_m) const {
+    return locate(stems_in_local_m, std::nullopt);
+  }
 };
+
+/// x and y of N stems with heights. UserError at a height that is not finite.
+[[nodiscard]] std::vector<Eigen::Vector2d> plan_of(const std::vector<Eigen::Vector3d>& stems_m);
 
 /// Everything a scenario can say about localization.
 struct LocalizeSettings {
@@ -117,9 +132,16 @@ void describe(SettingsVisitor& v, LocalizeSettings& s);
 [[nodiscard]] const std::vector<std::string>& matcher_names();
 
 /// The matcher `method` for a map of N stems (metres; UTM-sized coordinates keep millimetres).
-/// Throws UserError at an unknown method, a coordinate not finite, or a map that cannot be matched.
+/// Throws UserError at an unknown method, a coordinate not finite, settings that ask for heights,
+/// or a map that cannot be matched.
 [[nodiscard]] std::unique_ptr<Matcher> create_matcher(
     std::string_view method, const std::vector<Eigen::Vector2d>& stems_in_map_m,
+    const LocalizeSettings& settings);
+
+/// The same for a map of N stems with heights, z up. Where the settings do not ask for heights they
+/// are left out.
+[[nodiscard]] std::unique_ptr<Matcher> create_matcher(
+    std::string_view method, const std::vector<Eigen::Vector3d>& stems_in_map_m,
     const LocalizeSettings& settings);
 
 }  // namespace honka

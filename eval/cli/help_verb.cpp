@@ -67,7 +67,7 @@ Open trials.h5    pandas.DataFrame({k: v[:] for k, v in h5py.File("trials.h5")["
 
 constexpr const char* kLocate =
     R"(honka locate MAP.csv LOCAL.csv… [--method li2020|consensus] [--tolerance-m2 4.5]
-             [--prior x,y,radius] [--index FILE] [--json]
+             [--stars plane|space] [--prior x,y,radius] [--index FILE] [--json]
 
 MAP.csv holds the stems of a map, each LOCAL.csv those seen from one place, with the sensor at the
 origin and x ahead. The answer is T_map_local: x_map = R(yaw) x_local + t. Refused lists say why:
@@ -75,11 +75,15 @@ not_in_map, ambiguous, or too_few_stems (an empty list too). All lists share one
 
 --method   li2020     the paper's matcher of triangle stars, with its tolerance
            consensus  one frame, any map: weighs all stems, and says when two places fit
+--stars    of li2020: plane (as left out), or space: stars of x_m, y_m and z_m, the height of each
+           foot in map and lists, for a sensor that stands tilted by a slope; the lists are as it
+           sees them, not levelled, and the answer has its z, roll and pitch, too
 --prior    the sensor is within radius of (x, y), metres of the map; no answer lies outside
 --index    of consensus: loaded where FILE holds MAP's index, else built and written there (the
            index of another map is replaced; a file that is no index is left alone: exit 2)
 --json     one object a local file: local, method, verdict, accepted, x_m, y_m, yaw_rad, stems,
-matches, agreeing, inliers, margin, time_ms; map_ms in the first.
+matches, agreeing, inliers, margin, time_ms; map_ms in the first. With --stars space also z_m,
+roll_rad, pitch_rad: R = Rz(yaw) Ry(pitch) Rx(roll).
 )";
 
 constexpr const char* kUpdateMap =

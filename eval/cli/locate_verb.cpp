@@ -11,14 +11,31 @@
 #include "eval/cli/locate_prior.h"
 #include "eval/cli/verbs.h"
 #include "eval/io/csv.h"
-#include "eval/run/localize/source_map.h"
 #include "eval/run/stopwatch.h"
 
 namespace honka::eval {
 namespace {
 
+using Places = std::vector<Eigen::Vector3d>;
+
+/// Where the stems stand; 0 for heights that are not there, which nothing asks for.
+Places read_places(const std::filesystem::path& file, StemList list,
+                   const LocateArguments& arguments) {
+  const bool in_space = arguments.stars == "space";
+  Places places;
+  for (const Stem& stem :
+       read_stem_csv(file, list, in_space ? StemHeights::kNeeded : StemHeights::kOptional)) {
+    places.emplace_back(stem.position_m.x(), stem.position_m.y(), stem.z_m.value_or(0.0));
+  }
+  return places;
+}
+
+/// Roll and pitch of R = Rz(yaw) Ry(pitch) Rx(roll).
+double roll_of(const Eigen::Matrix3d& R) { return std::atan2(R(2, 1), R(2, 2)); }
+double pitch_of(const Eigen::Matrix3d& R) { return std::asin(std::clamp(-R(2, 0), -1.0, 1.0)); }
+
 nlohmann::ordered_json answer(const std::filesystem::path& local, const std::string& method,
-                              const LocateResult& result, double time_ms) {
+                              bool in_space, const LocateResult& result, double time_ms) {
   nlohmann::ordered_json json;
   json["local"] = local.string();
   json["method"] = method;
@@ -31,6 +48,12 @@ nlohmann::ordered_json answer(const std::filesystem::path& local, const std::str
   json["x_m"] = or_null(result.T_map_local.translation_m.x());
   json["y_m"] = or_null(result.T_map_local.translation_m.y());
   json["yaw_rad"] = or_null(result.T_map_local.yaw_rad);
+  if (in_space) {
+    const Pose3 T_map_local = result.T_map_local_3d.value_or(Pose3::Identity());
+    json["z_m"] = or_null(T_map_local.translation().z());
+    json["roll_rad"] = or_null(roll_of(T_map_local.linear()));
+    json["pitch_rad"] = or_null(pitch_of(T_map_local.linear()));
+  }
   json["stems"] = result.stems;
   json["matches"] = result.matches;
   json["agreeing"] = result.agreeing;
@@ -45,6 +68,10 @@ void print_text(const nlohmann::ordered_json& json) {
   if (json["accepted"]) {
     fmt::print("{}: x {:.3f} m, y {:.3f} m, yaw {:.5f} rad", local, double{json["x_m"]},
                double{json["y_m"]}, double{json["yaw_rad"]});
+    if (json.contains("z_m")) {
+      fmt::print(", z {:.3f} m, roll {:.5f} rad, pitch {:.5f} rad", double{json["z_m"]},
+                 double{json["roll_rad"]}, double{json["pitch_rad"]});
+    }
   } else {
     fmt::print("{}: refused, {}", local, std::string{json["verdict"]});
   }
@@ -59,10 +86,9 @@ struct MapMatcher {
 };
 
 /// With the index of a file; written where the file holds none of this map.
-MapMatcher matcher_by_file(const LocateArguments& arguments,
-                           const std::vector<Eigen::Vector2d>& map) {
+MapMatcher matcher_by_file(const LocateArguments& arguments, const Places& map) {
   const Stopwatch watch;
-  const IndexFromFile file = load_or_build_index(arguments.index, map);
+  const IndexFromFile file = load_or_build_index(arguments.index, plan_of(map));
   MapMatcher result{std::make_unique<ConsensusMatcher>(file.index, LocalizeSettings{}.consensus),
                     0.0};
   result.map_ms = watch.milliseconds();
@@ -75,11 +101,11 @@ MapMatcher matcher_by_file(const LocateArguments& arguments,
 }
 
 /// The matcher's complaint about the stems names their file.
-MapMatcher make_map_matcher(const LocateArguments& arguments,
-                            const std::vector<Eigen::Vector2d>& map) {
+MapMatcher make_map_matcher(const LocateArguments& arguments, const Places& map) {
   LocalizeSettings settings;
   settings.method = arguments.method;
   settings.li2020.tolerance_m2 = arguments.tolerance_m2;
+  settings.li2020.stars = arguments.stars.value_or("plane");
   const auto names = matcher_names();
   const bool known = std::find(names.begin(), names.end(), arguments.method) != names.end();
   if (!arguments.index.empty() && arguments.method == "consensus") {
@@ -103,6 +129,10 @@ void check_arguments(const LocateArguments& arguments) {
     throw UserError("--index: only the method consensus keeps an index; add --method consensus, " +
                     std::string("or leave --index out"));
   }
+  if (arguments.stars && arguments.method != "li2020") {
+    throw UserError(std::string("--stars: only the method li2020 compares stars; ") +
+                    "add --method li2020, or leave --stars out");
+  }
 }
 
 }  // namespace
@@ -111,17 +141,18 @@ int locate_verb(const LocateArguments& arguments) {
   check_arguments(arguments);
   std::optional<LocatePrior> prior;
   if (arguments.prior) prior = parse_prior(*arguments.prior);
-  const std::vector<Eigen::Vector2d> map = places_of(read_stem_csv(arguments.map));
-  std::vector<std::vector<Eigen::Vector2d>> locals;
+  const Places map = read_places(arguments.map, StemList::kHasStems, arguments);
+  std::vector<Places> locals;
   for (const auto& file : arguments.locals) {
-    locals.push_back(places_of(read_stem_csv(file, StemList::kMayBeEmpty)));
+    locals.push_back(read_places(file, StemList::kMayBeEmpty, arguments));
   }
   const MapMatcher by_map = make_map_matcher(arguments, map);
 
   for (std::size_t i = 0; i < locals.size(); ++i) {
     const Stopwatch watch;
     const LocateResult result = by_map.matcher->locate(locals[i], prior);
-    auto json = answer(arguments.locals[i], arguments.method, result, watch.milliseconds());
+    auto json = answer(arguments.locals[i], arguments.method, arguments.stars == "space", result,
+                       watch.milliseconds());
     if (i == 0) json["map_ms"] = by_map.map_ms;
     if (arguments.json) {
       fmt::print("{}\n", json.dump());

@@ -58,6 +58,8 @@ void add_locate(CLI::App& app, LocateArguments& arguments, Action& action) {
   verb.add_option("--method", arguments.method, "how: li2020 or consensus");
   verb.add_option("--tolerance-m2", arguments.tolerance_m2, "of a triangle and its neighbours")
       ->check(CLI::Range(0.0, kLargestTolerance_m2));
+  verb.add_option("--stars", arguments.stars, "of li2020: plane, or space (heights, any tilt)")
+      ->check(CLI::IsMember({"plane", "space"}));
   verb.add_option("--prior", arguments.prior, "x,y,radius: the sensor is within (m)");
   verb.add_option("--index", arguments.index, "of consensus: loaded if it is of MAP, else written");
   verb.add_flag("--json", arguments.json, "one JSON object a local file");

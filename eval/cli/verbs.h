@@ -34,6 +34,7 @@ struct LocateArguments {
   std::vector<std::filesystem::path> locals;
   std::string method = "li2020";
   double tolerance_m2 = 4.5;
+  std::optional<std::string> stars;  ///< plane or space; nothing: plane
   std::optional<std::string> prior;  ///< "x,y,radius"
   std::filesystem::path index;       ///< file of the map's index; empty: none
   bool json = false;

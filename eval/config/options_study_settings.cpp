@@ -15,6 +15,12 @@ void describe(SettingsVisitor& v, OptionsStudySettings& s) {
   v.field({"local_radii_m", "m", "of li2020.local_radius_m", "choice"}, s.local_radii_m,
           {0.1, 1e4});
   v.field({"submap_sizes_m", "m", "of li2020.submap_size_m", "choice"}, s.submap_sizes_m, {1, 1e6});
+  v.field(
+      {"slopes_deg", "deg", "plane slopes that the stand lies on, for stars in space", "choice"},
+      s.slopes_deg, {0, 60});
+  v.field({"height_noise_m", "m", "s.d. of a listed foot along the sensor's z, on slopes",
+           "choice: ground found beside a stem, and its roots"},
+          s.height_noise_m, {0, 10});
   v.group("list", [&] { describe(v, s.list); });
 }
 

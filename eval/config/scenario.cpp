@@ -96,6 +96,16 @@ void check_protocol(const ResolvedScenario& resolved) {
   check_increasing(resolved, "variants.tolerances_m2", scenario.variants.tolerances_m2);
 }
 
+/// Lists and maps of experiments have no heights, but for the rows that set this themselves.
+void check_stars(const ResolvedScenario& resolved) {
+  if (resolved.scenario.localize.li2020.stars == "plane") return;
+  const std::string key = "localize.li2020.stars";
+  throw UserError(fmt::format(
+      "{}: {} = \"space\" asks for stems with heights, which this experiment has not; leave it at "
+      "\"plane\": experiment = \"options\" has rows of it on slopes (options.slopes_deg)",
+      place_of(resolved, key), key));
+}
+
 StemMap read_measured(const ResolvedScenario& resolved) {
   try {
     return read_stem_csv(find_data(resolved.scenario.forest.stem_map, resolved.file));
@@ -151,6 +161,7 @@ ResolvedScenario resolve(const fs::path& file, const LocatedValues& values) {
   reader.check_all_read();
   for (const auto& [key, value] : values) resolved.origins[key] = value.place;
   check_protocol(resolved);
+  check_stars(resolved);
   if (!scenario.forest.stem_map.empty()) {
     scenario.measured = read_measured(resolved);
   }

@@ -35,7 +35,8 @@ std::optional<std::size_t> find_column(const Path& path, const CellRow& header,
   return found;
 }
 
-[[noreturn]] void throw_missing(const Path& path, const CellRow& header, const std::string& name) {
+[[noreturn]] void throw_missing(const Path& path, const CellRow& header, const std::string& name,
+                                const std::string& remedy) {
   const std::string what = "no column '" + name + "'";
   if (header.size() == 1 && header[0].text.find_first_of(";\t") != std::string::npos) {
     throw_at(path, header.front(), what + "; separate the columns by commas");
@@ -50,14 +51,18 @@ std::optional<std::size_t> find_column(const Path& path, const CellRow& header,
                                    [&](const Cell& c) { return c.text == *nearest; });
     throw_at(path, *cell, what + "; did you mean '" + name + "' by '" + *nearest + "'?");
   }
-  throw_at(path, header.front(), what + "; a stem list needs the columns x_m and y_m");
+  throw_at(path, header.front(), what + "; " + remedy);
 }
 
-std::size_t require_column(const Path& path, const CellRow& header, const std::string& name) {
+std::size_t require_column(const Path& path, const CellRow& header, const std::string& name,
+                           const std::string& remedy) {
   const auto found = find_column(path, header, name);
-  if (!found) throw_missing(path, header, name);
+  if (!found) throw_missing(path, header, name, remedy);
   return *found;
 }
+
+constexpr const char* kNeedsPlaces = "a stem list needs the columns x_m and y_m";
+constexpr const char* kNeedsHeights = "stems in space need the height of each foot in metres";
 
 /// The optional number of a row, empty when the column or the cell is.
 std::optional<double> optional_number(const Path& path, const CellRow& row,
@@ -80,10 +85,11 @@ std::optional<double> size_in_metres(const Path& path, const CellRow& row,
 }
 
 struct StemColumns {
-  StemColumns(const Path& path, const CellRow& header)
-      : x(require_column(path, header, "x_m")),
-        y(require_column(path, header, "y_m")),
-        z(find_column(path, header, "z_m")),
+  StemColumns(const Path& path, const CellRow& header, StemHeights heights)
+      : x(require_column(path, header, "x_m", kNeedsPlaces)),
+        y(require_column(path, header, "y_m", kNeedsPlaces)),
+        z(heights == StemHeights::kNeeded ? require_column(path, header, "z_m", kNeedsHeights)
+                                          : find_column(path, header, "z_m")),
         dbh(find_column(path, header, "dbh_m")),
         height(find_column(path, header, "height_m")),
         observations(find_column(path, header, "observations")) {}
@@ -111,14 +117,14 @@ std::string optional_cell(const std::optional<double>& value) {
 
 }  // namespace
 
-StemMap read_stem_csv(const Path& path, StemList list) {
+StemMap read_stem_csv(const Path& path, StemList list, StemHeights heights) {
   const auto rows = split_rows(read_text_file(path), Separator::kComma);
   if (rows.empty()) {
     throw UserError(path.string() + ": empty; give a header x_m,y_m and a row for each stem");
   }
   const CellRow& header = rows.front();
   check_is_header(path, header);
-  const StemColumns columns(path, header);
+  const StemColumns columns(path, header, heights);
   StemMap stems;
   for (std::size_t i = 1; i < rows.size(); ++i) {
     if (rows[i].size() != header.size()) {
@@ -127,6 +133,9 @@ StemMap read_stem_csv(const Path& path, StemList list) {
                    std::to_string(header.size()) + "; add or take out commas");
     }
     stems.push_back(stem_in(path, rows[i], columns));
+    if (heights == StemHeights::kNeeded && !stems.back().z_m) {
+      throw_at(path, rows[i][*columns.z], std::string("column 'z_m' is empty; ") + kNeedsHeights);
+    }
   }
   if (stems.empty() && list == StemList::kHasStems) {
     throw_at(path, header.front(), "a header and no stems; give a row for each stem");

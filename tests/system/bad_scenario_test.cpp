@@ -52,6 +52,8 @@ TEST_CASE("a wrong type, a value out of range and an unknown word are located") 
                 {"bad.toml:2:1: ", "map.source", "did you mean \"prior_run\"?", "same_run"});
   check_refused(run_text("localize.method = \"li2021\"\n"),
                 {"bad.toml:1:10: ", "did you mean \"li2020\"?"});
+  check_refused(run_text("localize.li2020.stars = \"space\"\n"),
+                {"bad.toml:1:17: ", "localize.li2020.stars", "\"plane\"", "options.slopes_deg"});
 }
 
 TEST_CASE("a scenario that is no TOML, or missing, or of an unknown experiment is refused") {

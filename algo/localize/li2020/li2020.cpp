@@ -10,33 +10,11 @@
 #include <utility>
 
 #include "algo/localize/li2020/branch_and_bound.h"
-#include "algo/localize/li2020/star_pose.h"
+#include "algo/localize/li2020/star_frames.h"
 #include "algo/types/user_error.h"
 
 namespace honka {
 namespace {
-
-using Points = std::vector<Eigen::Vector2d>;
-
-/// Whole metres near the middle.
-Eigen::Vector2d middle_of(const Points& points) {
-  if (points.empty()) return Eigen::Vector2d::Zero();
-  Eigen::Vector2d low = points[0];
-  Eigen::Vector2d high = points[0];
-  for (const Eigen::Vector2d& p : points) {
-    low = low.cwiseMin(p);
-    high = high.cwiseMax(p);
-  }
-  const Eigen::Vector2d middle = (0.5 * (low + high)).array().round();
-  return middle.allFinite() ? middle : Eigen::Vector2d::Zero();
-}
-
-/// The triangulation of the points as given, its vertices then relative to the centre.
-DelaunayGraph centred_delaunay(const Points& points, const Eigen::Vector2d& centre) {
-  DelaunayGraph graph = build_delaunay(points);
-  for (Eigen::Vector2d& vertex : graph.vertices) vertex -= centre;
-  return graph;
-}
 
 void check_word(std::string_view key, const std::string& word,
                 const std::vector<std::string>& known) {
@@ -45,11 +23,34 @@ void check_word(std::string_view key, const std::string& word,
       fmt::format("li2020.{} is \"{}\"; choose {}", key, word, fmt::join(known, " or ")));
 }
 
-/// From centred coordinates back to those of the lists that were given.
-void restore_frames(StarMatch& match, const Eigen::Vector2d& local_centre,
-                    const Eigen::Vector2d& map_centre) {
-  match.printed_translation_m += map_centre - local_centre;
-  match.translation_m += map_centre - Eigen::Rotation2Dd(match.theta_rad) * local_centre;
+void check_settings(const Li2020Settings& settings, bool with_heights) {
+  check_word("pairing", settings.pairing, {"similar_edge", "least_side_sum"});
+  check_word("selection", settings.selection, {"candidates", "box", "branch_and_bound"});
+  check_word("stars", settings.stars, {"plane", "space"});
+  if (!with_heights && settings.stars == "space") {
+    throw UserError(
+        "li2020.stars is \"space\", and the map has stems without heights; give z_m of each, or "
+        "set "
+        "it to \"plane\"");
+  }
+  if (with_heights && settings.selection != "candidates") {
+    throw UserError(fmt::format(
+        "li2020.selection is \"{}\", which takes stars in the plane alone; with li2020.stars = "
+        "\"space\" choose \"candidates\"",
+        settings.selection));
+  }
+}
+
+/// Li2020 Eq. (4) as the settings have it.
+Selection select(const std::vector<PoseCandidate>& poses, const std::optional<PlaceLimit>& limit,
+                 const std::string& selection) {
+  if (selection == "branch_and_bound") return select_by_bound(poses, limit).best;
+  return selection == "box" ? select_in_box(poses, limit) : select_candidate(poses);
+}
+
+SelectionIn<3> select(const std::vector<PoseCandidateIn<3>>& poses,
+                      const std::optional<PlaceLimitIn<3>>&, const std::string&) {
+  return select_candidate(poses);  // one of theirs, which the limit allows
 }
 
 int count_inliers(const std::vector<StarMatch>& matches) {
@@ -63,21 +64,21 @@ int count_inliers(const std::vector<StarMatch>& matches) {
 
 }  // namespace
 
-Li2020Matcher::Li2020Matcher(const Points& stems_in_map_m, Li2020Settings settings)
-    : settings_(std::move(settings)), centre_m_(middle_of(stems_in_map_m)) {
-  check_word("pairing", settings_.pairing, {"similar_edge", "least_side_sum"});
-  check_word("selection", settings_.selection, {"candidates", "box", "branch_and_bound"});
+template <int D>
+Li2020MatcherIn<D>::Li2020MatcherIn(const StarPoints<D>& stems_in_map_m, Li2020Settings settings)
+    : settings_(std::move(settings)) {
+  check_settings(settings_, D == 3);
   if (settings_.pairing == "least_side_sum") pairing_ = Pairing::kLeastSideSum;
-  map_ = centred_delaunay(stems_in_map_m, centre_m_);
-  index_ = StarIndex(stars_of(map_, StarChoice::kThreeNeighbours));
+  map_ = star_graph<D>(stems_in_map_m);
+  index_ = StarIndex(stars_of(map_.delaunay, StarChoice::kThreeNeighbours));
   if (index_.stars().empty()) {
     throw UserError(fmt::format(
         "the map has {} stems and no triangle with three neighbours; give a map of more stems",
         stems_in_map_m.size()));
   }
   for (const TriangleStar& star : index_.stars()) {
-    const auto vertex = [&](std::size_t k) -> const Eigen::Vector2d& {
-      return map_.vertices[static_cast<std::size_t>(star.vertices[k])];
+    const auto vertex = [&](std::size_t k) -> const StarPoint<D>& {
+      return map_.vertices_m[static_cast<std::size_t>(star.vertices[k])];
     };
     StarPlace place{vertex(0)};
     for (std::size_t k = 1; k < 6; ++k) {
@@ -87,67 +88,66 @@ Li2020Matcher::Li2020Matcher(const Points& stems_in_map_m, Li2020Settings settin
   }
 }
 
-Li2020Matcher::Candidate Li2020Matcher::make_candidate(const TriangleStar& local,
-                                                       const DelaunayGraph& graph,
-                                                       const TriangleStar& map,
-                                                       const StarLikeness& like) const {
+template <int D>
+auto Li2020MatcherIn<D>::make_candidate(const TriangleStar& local, const StarGraph<D>& graph,
+                                        const TriangleStar& map, const StarLikeness& like) const
+    -> Candidate {
   Candidate c;
   c.match.local_triangle = local.triangle;
   c.match.map_triangle = map.triangle;
   c.match.rotation = like.rotation;
   c.match.dissimilarity_m2 = like.dissimilarity_m2;
-  c.match.pairs = pair_vertices(local, graph.vertices, map, map_.vertices, pairing_);
+  c.match.pairs = pair_vertices<D>(local, graph.vertices_m, map, map_.vertices_m, pairing_);
   for (std::size_t j = 0; j < 6; ++j) {
-    c.pose.local_m[j] = graph.vertices[static_cast<std::size_t>(c.match.pairs[j].local)];
-    c.pose.map_m[j] = map_.vertices[static_cast<std::size_t>(c.match.pairs[j].map)];
+    c.pose.local_m[j] = graph.vertices_m[static_cast<std::size_t>(c.match.pairs[j].local)];
+    c.pose.map_m[j] = map_.vertices_m[static_cast<std::size_t>(c.match.pairs[j].map)];
   }
-  const StarPose pose = star_pose(c.pose.local_m, c.pose.map_m);
-  c.match.theta_rad = pose.theta_rad;
-  c.match.printed_translation_m = pose.printed_translation_m;
-  c.match.translation_m = pose.translation_m;
-  c.match.cost_m = pose.cost_m;
-  c.pose.T_map_local = {pose.translation_m, pose.theta_rad};
+  set_pose(star_pose(c.pose.local_m, c.pose.map_m), c.pose, c.match);
   return c;
 }
 
-Li2020Matcher::LocalGraph Li2020Matcher::local_graph(
-    const Points& stems_in_local_m, const std::optional<LocatePrior>& prior) const {
+template <int D>
+auto Li2020MatcherIn<D>::local_graph(const StarPoints<D>& stems_in_local_m,
+                                     const std::optional<LocatePrior>& prior) const -> LocalGraph {
   const double radius_m = settings_.local_radius_m;
   LocalGraph local;
-  Points near_m;
+  StarPoints<D> near_m;
   for (std::size_t i = 0; i < stems_in_local_m.size(); ++i) {
     // Not "> radius": what is not finite goes on to the triangulation, which names it.
     if (radius_m > 0.0 && stems_in_local_m[i].norm() > radius_m) continue;
     near_m.push_back(stems_in_local_m[i]);
     local.stem.push_back(static_cast<std::int32_t>(i));
   }
-  local.centre_m = middle_of(near_m);
-  local.graph = centred_delaunay(near_m, local.centre_m);
-  local.stars = stars_of(local.graph, StarChoice::kNoHullVertex);
+  local.graph = star_graph<D>(near_m);
+  local.stars = stars_of(local.graph.delaunay, StarChoice::kNoHullVertex);
   if (prior) {
-    local.limit =
-        PlaceLimit{-local.centre_m, prior->position_in_map_m - centre_m_, prior->radius_m};
+    const Eigen::Vector2d map_centre_m = map_.centre_m.template head<2>();
+    local.limit = PlaceLimitIn<D>{-local.graph.centre_m, prior->position_in_map_m - map_centre_m,
+                                  prior->radius_m};
   }
   return local;
 }
 
 // A match's pose maps the mean of its local vertices onto that of its map vertices. So the sensor's
 // place is no farther from any of the map star's corners than the local stars reach plus what that
-// star spans.
-StarIndex::Keys Li2020Matcher::active_stars(const LocalGraph& local) const {
+// star spans; in space neither is longer in plan.
+template <int D>
+StarIndex::Keys Li2020MatcherIn<D>::active_stars(const LocalGraph& local) const {
   double reach_m = 0.0;
-  for (const Eigen::Vector2d& v : local.graph.vertices) {
+  for (const StarPoint<D>& v : local.graph.vertices_m) {
     reach_m = std::max(reach_m, (v - local.limit->local_m).norm());
   }
   const double near_m = local.limit->radius_m + reach_m;
   return index_.active([&](std::size_t i) {
     const double reach = near_m + places_[i].span_m;
-    return (places_[i].corner_m - local.limit->map_m).squaredNorm() <= reach * reach;
+    const Eigen::Vector2d corner_m = places_[i].corner_m.template head<2>();
+    return (corner_m - local.limit->map_m).squaredNorm() <= reach * reach;
   });
 }
 
-std::vector<Li2020Matcher::Candidate> Li2020Matcher::match_stars(const LocalGraph& local,
-                                                                 int& candidates) const {
+template <int D>
+auto Li2020MatcherIn<D>::match_stars(const LocalGraph& local, int& candidates) const
+    -> std::vector<Candidate> {
   const double gate_m = settings_.vertex_gate_m;
   const StarIndex::Keys active = local.limit ? active_stars(local) : StarIndex::Keys{};
   const StarIndex::Keys& keys = local.limit ? active : index_.all();
@@ -174,24 +174,19 @@ std::vector<Li2020Matcher::Candidate> Li2020Matcher::match_stars(const LocalGrap
   return kept;
 }
 
-Selection Li2020Matcher::select(const std::vector<Candidate>& kept,
-                                const std::optional<PlaceLimit>& limit) const {
-  std::vector<PoseCandidate> poses;
-  for (const Candidate& c : kept) poses.push_back(c.pose);
-  if (settings_.selection == "branch_and_bound") return select_by_bound(poses, limit).best;
-  return settings_.selection == "box" ? select_in_box(poses, limit) : select_candidate(poses);
-}
-
 // The pose of Eq. (4) and the matches that agree with it
-void Li2020Matcher::answer(const LocalGraph& local, const std::vector<Candidate>& kept,
-                           LocateResult& result) const {
-  const Selection selection = select(kept, local.limit);
+template <int D>
+void Li2020MatcherIn<D>::answer(const LocalGraph& local, const std::vector<Candidate>& kept,
+                                LocateResult& result) const {
+  std::vector<PoseCandidateIn<D>> poses;
+  for (const Candidate& c : kept) poses.push_back(c.pose);
+  const SelectionIn<D> selection = select(poses, local.limit, settings_.selection);
   for (const Candidate& c : kept) {
     StarMatch match = c.match;
     match.residual_m = mean_residual_m(c.pose, selection.T_map_local);
     match.agrees = match.residual_m < settings_.agreement_m;
     result.agreeing += match.agrees ? 1 : 0;
-    restore_frames(match, local.centre_m, centre_m_);
+    restore_frames(match, c.pose.T_map_local, local.graph.centre_m, map_.centre_m);
     for (VertexPair& pair : match.pairs) {
       pair.local = local.stem[static_cast<std::size_t>(pair.local)];
     }
@@ -201,15 +196,13 @@ void Li2020Matcher::answer(const LocalGraph& local, const std::vector<Candidate>
   result.cost_m = selection.cost_m;
   result.inliers = count_inliers(result.star_matches);
   result.margin = static_cast<double>(result.agreeing) / static_cast<double>(result.matches);
-  const double yaw = selection.T_map_local.yaw_rad;
-  result.T_map_local = {
-      selection.T_map_local.translation_m + centre_m_ - Eigen::Rotation2Dd(yaw) * local.centre_m,
-      wrap_to_pi(yaw)};
+  set_answer(result, selection.T_map_local, local.graph.centre_m, map_.centre_m);
   if (result.agreeing >= settings_.min_agreeing) result.verdict = Verdict::kAccepted;
 }
 
-LocateResult Li2020Matcher::locate(const Points& stems_in_local_m,
-                                   const std::optional<LocatePrior>& prior) const {
+template <int D>
+LocateResult Li2020MatcherIn<D>::locate(const StarPoints<D>& stems_in_local_m,
+                                        const std::optional<LocatePrior>& prior) const {
   check_prior(prior);
   LocateResult result;
   result.stems = static_cast<int>(stems_in_local_m.size());
@@ -224,5 +217,8 @@ LocateResult Li2020Matcher::locate(const Points& stems_in_local_m,
   if (!kept.empty()) answer(local, kept, result);
   return result;
 }
+
+template class Li2020MatcherIn<2>;
+template class Li2020MatcherIn<3>;
 
 }  // namespace honka

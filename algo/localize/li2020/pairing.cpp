@@ -5,27 +5,33 @@
 namespace honka {
 namespace {
 
-using Corners = std::array<Eigen::Vector2d, 3>;
+template <int D>
+using Corners = std::array<StarPoint<D>, 3>;
 
-Corners corners_of(const TriangleStar& star, const std::vector<Eigen::Vector2d>& points) {
+template <int D>
+Corners<D> corners_of(const TriangleStar& star, const StarPoints<D>& points) {
   return {points[static_cast<std::size_t>(star.vertices[0])],
           points[static_cast<std::size_t>(star.vertices[1])],
           points[static_cast<std::size_t>(star.vertices[2])]};
 }
 
 /// Length of the side opposite each corner.
-std::array<double, 3> sides(const Corners& c) {
+template <int D>
+std::array<double, 3> sides(const Corners<D>& c) {
   return {(c[2] - c[1]).norm(), (c[0] - c[2]).norm(), (c[1] - c[0]).norm()};
 }
 
-double cross(const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
+/// Seen from above.
+template <int D>
+double cross(const StarPoint<D>& a, const StarPoint<D>& b) {
   return a.x() * b.y() - a.y() * b.x();
 }
 
 /// Per local corner the map corner: A ↔ M opposite the most similar sides, the rest by Eq. (2).
-std::array<std::size_t, 3> by_similar_edge(const Corners& local, const Corners& map) {
-  const auto a = sides(local);
-  const auto b = sides(map);
+template <int D>
+std::array<std::size_t, 3> by_similar_edge(const Corners<D>& local, const Corners<D>& map) {
+  const auto a = sides<D>(local);
+  const auto b = sides<D>(map);
   std::size_t A = 0;
   std::size_t M = 0;
   for (std::size_t i = 0; i < 3; ++i) {
@@ -42,8 +48,8 @@ std::array<std::size_t, 3> by_similar_edge(const Corners& local, const Corners& 
   const std::size_t H = (M + 2) % 3;
   // Li2020 Eq. (2): a = (CA × CB) · (HM × HN). Zero, which only rounding gives, counts as the same
   // side: the corners of both triangles are counter-clockwise.
-  const double side =
-      cross(local[A] - local[C], local[B] - local[C]) * cross(map[M] - map[H], map[N] - map[H]);
+  const double side = cross<D>(local[A] - local[C], local[B] - local[C]) *
+                      cross<D>(map[M] - map[H], map[N] - map[H]);
   std::array<std::size_t, 3> f{};
   f[A] = M;
   f[C] = side >= 0.0 ? H : N;  // the text's "(C, M)" is read as (C, N)
@@ -51,9 +57,10 @@ std::array<std::size_t, 3> by_similar_edge(const Corners& local, const Corners& 
   return f;
 }
 
-std::array<std::size_t, 3> by_least_side_sum(const Corners& local, const Corners& map) {
-  const auto a = sides(local);
-  const auto b = sides(map);
+template <int D>
+std::array<std::size_t, 3> by_least_side_sum(const Corners<D>& local, const Corners<D>& map) {
+  const auto a = sides<D>(local);
+  const auto b = sides<D>(map);
   std::size_t best = 0;
   double least = INFINITY;
   for (std::size_t rotation = 0; rotation < 3; ++rotation) {
@@ -69,15 +76,15 @@ std::array<std::size_t, 3> by_least_side_sum(const Corners& local, const Corners
 
 }  // namespace
 
-std::array<VertexPair, 6> pair_vertices(const TriangleStar& local,
-                                        const std::vector<Eigen::Vector2d>& in_local_m,
-                                        const TriangleStar& map,
-                                        const std::vector<Eigen::Vector2d>& in_map_m,
+template <int D>
+std::array<VertexPair, 6> pair_vertices(const TriangleStar& local, const StarPoints<D>& in_local_m,
+                                        const TriangleStar& map, const StarPoints<D>& in_map_m,
                                         Pairing pairing) {
-  const Corners local_corners = corners_of(local, in_local_m);
-  const Corners map_corners = corners_of(map, in_map_m);
-  const auto f = pairing == Pairing::kSimilarEdge ? by_similar_edge(local_corners, map_corners)
-                                                  : by_least_side_sum(local_corners, map_corners);
+  const auto local_corners = corners_of<D>(local, in_local_m);
+  const auto map_corners = corners_of<D>(map, in_map_m);
+  const auto f = pairing == Pairing::kSimilarEdge
+                     ? by_similar_edge<D>(local_corners, map_corners)
+                     : by_least_side_sum<D>(local_corners, map_corners);
   std::array<VertexPair, 6> pairs;
   for (std::size_t k = 0; k < 3; ++k) {
     pairs[k] = {local.vertices[k], map.vertices[f[k]]};
@@ -85,5 +92,12 @@ std::array<VertexPair, 6> pair_vertices(const TriangleStar& local,
   }
   return pairs;
 }
+
+template std::array<VertexPair, 6> pair_vertices(const TriangleStar&, const StarPoints<2>&,
+                                                 const TriangleStar&, const StarPoints<2>&,
+                                                 Pairing);
+template std::array<VertexPair, 6> pair_vertices(const TriangleStar&, const StarPoints<3>&,
+                                                 const TriangleStar&, const StarPoints<3>&,
+                                                 Pairing);
 
 }  // namespace honka

@@ -1,11 +1,10 @@
 #pragma once
 
-#include <Eigen/Core>
 #include <array>
 #include <cstdint>
-#include <vector>
 
 #include "algo/localize/li2020/star.h"
+#include "algo/localize/li2020/star_dimensions.h"
 #include "algo/localize/matcher.h"
 
 namespace honka {
@@ -17,9 +16,13 @@ enum class Pairing : std::uint8_t {
 };
 
 /// Vertex pairs of two stars: three corners, then the apexes of the neighbours that correspond.
-/// Li2020 Eq. (2). Only differences of coordinates enter.
-[[nodiscard]] std::array<VertexPair, 6> pair_vertices(
-    const TriangleStar& local, const std::vector<Eigen::Vector2d>& in_local_m,
-    const TriangleStar& map, const std::vector<Eigen::Vector2d>& in_map_m, Pairing pairing);
+/// Li2020 Eq. (2). Only differences of coordinates enter. In space sides have their length there;
+/// on which side a corner lies is asked in the plan of each list, as its triangles are.
+template <int D>
+[[nodiscard]] std::array<VertexPair, 6> pair_vertices(const TriangleStar& local,
+                                                      const StarPoints<D>& in_local_m,
+                                                      const TriangleStar& map,
+                                                      const StarPoints<D>& in_map_m,
+                                                      Pairing pairing);
 
 }  // namespace honka

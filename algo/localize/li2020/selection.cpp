@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 
 #include "algo/types/check.h"
 
@@ -9,8 +10,8 @@ namespace honka {
 namespace {
 
 /// A pose with its sine and cosine taken once.
-struct Motion {
-  explicit Motion(const Pose2& T)
+struct PlaneMotion {
+  explicit PlaneMotion(const Pose2& T)
       : cosine(std::cos(T.yaw_rad)), sine(std::sin(T.yaw_rad)), t(T.translation_m) {}
 
   [[nodiscard]] double residual(const Eigen::Vector2d& local, const Eigen::Vector2d& map) const {
@@ -24,12 +25,28 @@ struct Motion {
   Eigen::Vector2d t;
 };
 
+struct SpaceMotion {
+  explicit SpaceMotion(const Pose3& T) : R(T.linear()), t(T.translation()) {}
+
+  [[nodiscard]] double residual(const Eigen::Vector3d& local, const Eigen::Vector3d& map) const {
+    return (R * local + t - map).norm();
+  }
+
+  Eigen::Matrix3d R;
+  Eigen::Vector3d t;
+};
+
+template <int D>
+using Motion = std::conditional_t<D == 2, PlaneMotion, SpaceMotion>;
+
 // Li2020 Eq. (4): the sum runs over all six vertices of all m matches. In the preprint's bracket
 // the ones of the homogeneous vertices cancel and x, y have no effect; the journal's is meant.
-double cost_of(const std::vector<PoseCandidate>& candidates, const Pose2& T_map_local) {
-  const Motion motion(T_map_local);
+template <int D>
+double cost_of(std::span<const PoseCandidateIn<D>> candidates,
+               const StarTransform<D>& T_map_local) {
+  const Motion<D> motion(T_map_local);
   double cost = 0.0;
-  for (const PoseCandidate& c : candidates) {
+  for (const PoseCandidateIn<D>& c : candidates) {
     for (std::size_t j = 0; j < 6; ++j) cost += motion.residual(c.local_m[j], c.map_m[j]);
   }
   return cost;
@@ -38,7 +55,7 @@ double cost_of(const std::vector<PoseCandidate>& candidates, const Pose2& T_map_
 /// Closed-form pose of least Σ w |R V + t − V'|², weights 1 / residual at the pose before.
 Pose2 reweighted_step(const std::vector<PoseCandidate>& candidates, const Pose2& before) {
   constexpr double kLeastResidual_m = 1e-6;  // keeps the weight of an exact pair finite
-  const Motion motion(before);
+  const PlaneMotion motion(before);
   double weights = 0.0;
   Eigen::Vector2d local_mean = Eigen::Vector2d::Zero();
   Eigen::Vector2d map_mean = Eigen::Vector2d::Zero();
@@ -82,16 +99,21 @@ Pose2 CandidateBox::clamp(const Pose2& T) const {
   return {T.translation_m.cwiseMax(low_m).cwiseMin(high_m), wrap_to_pi(reference_rad + turn)};
 }
 
-double total_cost_m(const std::vector<PoseCandidate>& candidates, const Pose2& T_map_local) {
-  return cost_of(candidates, T_map_local);
+template <int D>
+double total_cost_m(const std::vector<PoseCandidateIn<D>>& candidates,
+                    const StarTransform<D>& T_map_local) {
+  return cost_of<D>(candidates, T_map_local);
 }
 
-double mean_residual_m(const PoseCandidate& candidate, const Pose2& T_map_local) {
-  return cost_of({candidate}, T_map_local) / 6.0;
+template <int D>
+double mean_residual_m(const PoseCandidateIn<D>& candidate, const StarTransform<D>& T_map_local) {
+  return cost_of<D>({&candidate, 1}, T_map_local) / 6.0;
 }
 
-double largest_residual_m(const PoseCandidate& candidate, const Pose2& T_map_local) {
-  const Motion motion(T_map_local);
+template <int D>
+double largest_residual_m(const PoseCandidateIn<D>& candidate,
+                          const StarTransform<D>& T_map_local) {
+  const Motion<D> motion(T_map_local);
   double largest = 0.0;
   for (std::size_t j = 0; j < 6; ++j) {
     largest = std::max(largest, motion.residual(candidate.local_m[j], candidate.map_m[j]));
@@ -99,15 +121,25 @@ double largest_residual_m(const PoseCandidate& candidate, const Pose2& T_map_loc
   return largest;
 }
 
-Selection select_candidate(const std::vector<PoseCandidate>& candidates) {
+template <int D>
+SelectionIn<D> select_candidate(const std::vector<PoseCandidateIn<D>>& candidates) {
   HONKA_CHECK(!candidates.empty(), "a choice among no candidates");
-  Selection best{0, candidates[0].T_map_local, INFINITY};
+  SelectionIn<D> best{0, candidates[0].T_map_local, INFINITY};
   for (std::size_t k = 0; k < candidates.size(); ++k) {
-    const double cost = cost_of(candidates, candidates[k].T_map_local);
+    const double cost = cost_of<D>(candidates, candidates[k].T_map_local);
     if (cost < best.cost_m) best = {k, candidates[k].T_map_local, cost};
   }
   return best;
 }
+
+template double total_cost_m(const std::vector<PoseCandidateIn<2>>&, const Pose2&);
+template double total_cost_m(const std::vector<PoseCandidateIn<3>>&, const Pose3&);
+template double mean_residual_m(const PoseCandidateIn<2>&, const Pose2&);
+template double mean_residual_m(const PoseCandidateIn<3>&, const Pose3&);
+template double largest_residual_m(const PoseCandidateIn<2>&, const Pose2&);
+template double largest_residual_m(const PoseCandidateIn<3>&, const Pose3&);
+template SelectionIn<2> select_candidate(const std::vector<PoseCandidateIn<2>>&);
+template SelectionIn<3> select_candidate(const std::vector<PoseCandidateIn<3>>&);
 
 Selection select_in_box(const std::vector<PoseCandidate>& candidates,
                         const std::optional<PlaceLimit>& limit) {
@@ -117,7 +149,7 @@ Selection select_in_box(const std::vector<PoseCandidate>& candidates,
   const CandidateBox box(candidates, best.T_map_local.yaw_rad);
   for (int step = 0; step < kMostSteps; ++step) {
     const Pose2 pose = box.clamp(reweighted_step(candidates, best.T_map_local));
-    const double cost = cost_of(candidates, pose);
+    const double cost = cost_of<2>(candidates, pose);
     if (!(cost < best.cost_m - kLeastGain_m) || (limit && !limit->allows(pose))) break;
     best.T_map_local = pose;
     best.cost_m = cost;

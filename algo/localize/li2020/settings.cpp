@@ -34,6 +34,10 @@ void describe(SettingsVisitor& v, Li2020Settings& s) {
   v.field({"submap_overlap_m", "m", "that neighbouring tiles share",
            "choice: twice the reach of the sensor"},
           s.submap_overlap_m, Range{0.0, 1e6});
+  v.field(
+      {"stars", "", "corners of stars: x, y; or x, y and height, for a sensor that stands tilted",
+       "Li2020 §4.1, future work: \"defined in actual 3D\""},
+      s.stars, {"plane", "space"});
 }
 
 }  // namespace honka

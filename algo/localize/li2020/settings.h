@@ -19,6 +19,7 @@ struct Li2020Settings {
   double local_radius_m = 0.0;           ///< only local stems this near; 0 is all
   double submap_size_m = 0.0;            ///< side of a tile of the map; 0 is the map as one
   double submap_overlap_m = 60.0;        ///< that neighbouring tiles share
+  std::string stars = "plane";           ///< plane | space
 };
 
 void describe(SettingsVisitor& v, Li2020Settings& s);

@@ -4,14 +4,17 @@
 #include <algorithm>
 #include <cmath>
 
+#include "algo/geometry/fit_pose.h"
+
 namespace honka {
 namespace {
 
-using Six = std::array<Eigen::Vector2d, 6>;
+using Six = StarVertices<2>;
 
-Eigen::Vector2d mean_of(const Six& points) {
-  Eigen::Vector2d sum = Eigen::Vector2d::Zero();
-  for (const Eigen::Vector2d& p : points) sum += p;
+template <int D>
+StarPoint<D> mean_of(const StarVertices<D>& points) {
+  StarPoint<D> sum = StarPoint<D>::Zero();
+  for (const StarPoint<D>& p : points) sum += p;
   return sum / 6.0;
 }
 
@@ -33,8 +36,8 @@ double cost_of(double angle, const Six& local, const Six& map) {
 }  // namespace
 
 StarPose star_pose(const Six& local_m, const Six& map_m) {
-  const Eigen::Vector2d local_mean = mean_of(local_m);
-  const Eigen::Vector2d map_mean = mean_of(map_m);
+  const Eigen::Vector2d local_mean = mean_of<2>(local_m);
+  const Eigen::Vector2d map_mean = mean_of<2>(map_m);
   Six local = local_m;
   Six map = map_m;
   for (Eigen::Vector2d& p : local) p -= local_mean;
@@ -53,6 +56,16 @@ StarPose star_pose(const Six& local_m, const Six& map_m) {
   }
   pose.printed_translation_m = map_mean - local_mean;
   pose.translation_m = map_mean - Eigen::Rotation2Dd(pose.theta_rad) * local_mean;
+  return pose;
+}
+
+SpaceStarPose star_pose(const StarVertices<3>& local_m, const StarVertices<3>& map_m) {
+  SpaceStarPose pose;
+  pose.T_map_local = fit_pose(map_m, local_m);
+  pose.printed_translation_m = mean_of<3>(map_m) - mean_of<3>(local_m);
+  for (std::size_t j = 0; j < 6; ++j) {
+    pose.cost_m += (pose.T_map_local * local_m[j] - map_m[j]).norm();
+  }
   return pose;
 }
 

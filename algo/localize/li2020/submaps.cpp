@@ -24,8 +24,9 @@ int tiles_along(double length_m, double size_m, double step_m) {
 
 }  // namespace
 
-SubmapMatcher::SubmapMatcher(const std::vector<Eigen::Vector2d>& stems_in_map_m,
-                             const Li2020Settings& settings) {
+template <int D>
+SubmapMatcherIn<D>::SubmapMatcherIn(const StarPoints<D>& stems_in_map_m,
+                                    const Li2020Settings& settings) {
   const double step_m = settings.submap_size_m - settings.submap_overlap_m;
   if (!(step_m > 0.0)) {
     throw UserError(
@@ -34,10 +35,10 @@ SubmapMatcher::SubmapMatcher(const std::vector<Eigen::Vector2d>& stems_in_map_m,
   }
   Eigen::Vector2d low_m = Eigen::Vector2d::Constant(INFINITY);
   Eigen::Vector2d high_m = -low_m;
-  for (const Eigen::Vector2d& stem : stems_in_map_m) {
+  for (const StarPoint<D>& stem : stems_in_map_m) {
     if (!stem.allFinite()) throw UserError("the map has a stem that is not finite");
-    low_m = low_m.cwiseMin(stem);
-    high_m = high_m.cwiseMax(stem);
+    low_m = low_m.cwiseMin(stem.template head<2>());
+    high_m = high_m.cwiseMax(stem.template head<2>());
   }
   if (!stems_in_map_m.empty()) {
     const Eigen::Vector2d side_m = high_m - low_m;
@@ -55,24 +56,26 @@ SubmapMatcher::SubmapMatcher(const std::vector<Eigen::Vector2d>& stems_in_map_m,
   }
 }
 
-void SubmapMatcher::add_tile(const std::vector<Eigen::Vector2d>& stems_in_map_m,
-                             const Eigen::Vector2d& low_m, const Li2020Settings& settings) {
+template <int D>
+void SubmapMatcherIn<D>::add_tile(const StarPoints<D>& stems_in_map_m, const Eigen::Vector2d& low_m,
+                                  const Li2020Settings& settings) {
   Tile tile{low_m, low_m.array() + settings.submap_size_m, {}, nullptr};
-  std::vector<Eigen::Vector2d> inside_m;
+  StarPoints<D> inside_m;
   for (std::size_t i = 0; i < stems_in_map_m.size(); ++i) {
-    const Eigen::Array2d stem = stems_in_map_m[i];
+    const Eigen::Array2d stem = stems_in_map_m[i].template head<2>();
     if ((stem < tile.low_m.array()).any() || (stem > tile.high_m.array()).any()) continue;
     inside_m.push_back(stems_in_map_m[i]);
     tile.stems.push_back(static_cast<std::int32_t>(i));
   }
-  const DelaunayGraph graph = build_delaunay(inside_m);
-  if (stars_of(graph, StarChoice::kThreeNeighbours).empty()) return;
-  tile.matcher = std::make_unique<Li2020Matcher>(inside_m, settings);
+  const StarGraph<D> graph = star_graph<D>(inside_m);
+  if (stars_of(graph.delaunay, StarChoice::kThreeNeighbours).empty()) return;
+  tile.matcher = std::make_unique<Li2020MatcherIn<D>>(inside_m, settings);
   tiles_.push_back(std::move(tile));
 }
 
-LocateResult SubmapMatcher::locate(const std::vector<Eigen::Vector2d>& stems_in_local_m,
-                                   const std::optional<LocatePrior>& prior) const {
+template <int D>
+LocateResult SubmapMatcherIn<D>::locate(const StarPoints<D>& stems_in_local_m,
+                                        const std::optional<LocatePrior>& prior) const {
   check_prior(prior);
   LocateResult best;
   const Tile* of_best = nullptr;
@@ -99,5 +102,8 @@ LocateResult SubmapMatcher::locate(const std::vector<Eigen::Vector2d>& stems_in_
   }
   return best;
 }
+
+template class SubmapMatcherIn<2>;
+template class SubmapMatcherIn<3>;
 
 }  // namespace honka

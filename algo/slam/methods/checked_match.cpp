@@ -5,6 +5,8 @@
 #include <limits>
 #include <vector>
 
+#include "algo/geometry/fit_pose.h"
+
 namespace honka {
 namespace {
 

@@ -1,6 +1,6 @@
 #include "eval/run/localize/map_bend.h"
 
-#include "algo/slam/registration/trimmed_icp.h"
+#include "algo/geometry/fit_pose.h"
 #include "eval/metrics/stem_scores.h"
 
 namespace honka::eval {

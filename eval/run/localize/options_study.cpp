@@ -5,9 +5,11 @@
 #include <cmath>
 
 #include "algo/localize/li2020/branch_and_bound.h"
+#include "algo/types/angles.h"
 #include "algo/types/random.h"
 #include "eval/config/words.h"
 #include "eval/metrics/localization.h"
+#include "eval/run/localize/options_query.h"
 #include "eval/run/localize/source_map.h"
 #include "eval/run/parallel.h"
 #include "eval/run/stopwatch.h"
@@ -16,21 +18,6 @@
 
 namespace honka::eval {
 namespace {
-
-struct OptionsQuery {
-  Pose2 T_world_sensor;
-  std::vector<Eigen::Vector2d> stems_m;
-};
-
-OptionsQuery options_query(const Scenario& scenario, const OptionsWorld& world,
-                           std::uint64_t query) {
-  const OptionsStudySettings& s = scenario.options;
-  OptionsQuery q;
-  q.T_world_sensor = sim::draw_pose(world.forest, s.border_m, world.seed, query);
-  q.stems_m =
-      sim::sight(world.forest, q.T_world_sensor, s.list, world.seed, query).stems_in_sensor_m;
-  return q;
-}
 
 /// A GNSS position with its 3 s.d., or a circle whose middle is half its radius off the truth.
 std::optional<LocatePrior> options_prior(const OptionsCase& one, const Pose2& T_world_sensor,
@@ -48,39 +35,85 @@ std::optional<LocatePrior> options_prior(const OptionsCase& one, const Pose2& T_
   return LocatePrior{place_m, one.prior_radius_m};
 }
 
+/// Between the map's vertical in the sensor's frame as it is and as it is answered.
+std::optional<double> tilt_error_deg(const OptionsQuery& q, const LocateResult& result) {
+  if (!q.T_map_sensor_3d || !result.T_map_local_3d) return std::nullopt;
+  const Eigen::Vector3d truth = q.T_map_sensor_3d->linear().row(2);
+  const Eigen::Vector3d answer = result.T_map_local_3d->linear().row(2);
+  return rad_to_deg(std::atan2(truth.cross(answer).norm(), truth.dot(answer)));
+}
+
 OptionsAnswer answer_option(const Scenario& scenario, const OptionsWorld& world,
-                            const OptionsCase& one, const Matcher& matcher, std::uint64_t query) {
-  const OptionsQuery q = options_query(scenario, world, query);
-  const auto prior = options_prior(one, q.T_world_sensor, world.seed, query);
+                            const OptionsCase& one, const Matcher& matcher, const OptionsQuery& q,
+                            std::uint64_t query) {
+  const auto prior = options_prior(one, q.T_map_sensor, world.seed, query);
   OptionsAnswer answer;
   const Stopwatch watch;
   const LocateResult result = matcher.locate(q.stems_m, prior);
   answer.time_ms = watch.milliseconds();
-  const PoseError error = pose_error(result.T_map_local, q.T_world_sensor);
+  const PoseError error = pose_error(result.T_map_local, q.T_map_sensor);
   const ProtocolSettings& p = scenario.protocol;
   answer.accepted = result.accepted();
   answer.right =
       judge(answer.accepted, error, {p.success_translation_m, p.success_rotation_deg}).right;
   answer.error_m = error.translation_m;
   answer.candidates = result.candidates;
+  answer.tilt_error_deg = tilt_error_deg(q, result);
   return answer;
 }
 
 std::vector<PoseCandidate> pose_candidates(const LocateResult& result,
-                                           const std::vector<Eigen::Vector2d>& local_m,
-                                           const std::vector<Eigen::Vector2d>& map_m) {
+                                           const std::vector<Eigen::Vector3d>& local_m,
+                                           const std::vector<Eigen::Vector3d>& map_m) {
   std::vector<PoseCandidate> candidates;
   for (const StarMatch& match : result.star_matches) {
     PoseCandidate c;
     for (std::size_t j = 0; j < 6; ++j) {
-      c.local_m[j] = local_m[static_cast<std::size_t>(match.pairs[j].local)];
-      c.map_m[j] = map_m[static_cast<std::size_t>(match.pairs[j].map)];
+      c.local_m[j] = local_m[static_cast<std::size_t>(match.pairs[j].local)].head<2>();
+      c.map_m[j] = map_m[static_cast<std::size_t>(match.pairs[j].map)].head<2>();
     }
     c.T_map_local = {match.translation_m, wrap_to_pi(match.theta_rad)};
     candidates.push_back(c);
   }
   return candidates;
 }
+
+/// The rows as they are listed.
+class OptionCases {
+ public:
+  explicit OptionCases(const Scenario& scenario) : scenario_(scenario) {}
+
+  OptionsCase& add(const std::string& name, const std::string& method = "li2020") {
+    OptionsCase& one = cases_.emplace_back();
+    one.name = name;
+    one.method = method;
+    one.settings = scenario_.localize;
+    return one;
+  }
+  OptionsCase& add_on_slope(double slope_deg, const std::string& how,
+                            const std::string& method = "li2020") {
+    OptionsCase& one = add(fmt::format("slope of {}°{}", slope_deg, how), method);
+    one.slope_deg = slope_deg;
+    return one;
+  }
+  /// What any matcher can be told, and mapped from.
+  void add_told(const std::string& method) {
+    const OptionsStudySettings& o = scenario_.options;
+    for (const double r : o.prior_radii_m) {
+      add(fmt::format("prior of {} m", r), method).prior_radius_m = r;
+    }
+    add(fmt::format("GNSS, s.d. {} m", o.gnss_sigma_m), method).gnss_sigma_m = o.gnss_sigma_m;
+    add("airborne map", method).map = "airborne";
+    OptionsCase& both = add("airborne map, GNSS", method);
+    both.map = "airborne";
+    both.gnss_sigma_m = o.gnss_sigma_m;
+  }
+  [[nodiscard]] const std::vector<OptionsCase>& all() const { return cases_; }
+
+ private:
+  const Scenario& scenario_;
+  std::vector<OptionsCase> cases_;
+};
 
 }  // namespace
 
@@ -101,64 +134,56 @@ OptionsWorld make_options_world(const Scenario& scenario, std::int64_t trial) {
 }
 
 std::vector<OptionsCase> options_cases(const Scenario& scenario) {
-  const OptionsStudySettings& o = scenario.options;
-  std::vector<OptionsCase> cases;
-  const auto add = [&](const std::string& name) -> OptionsCase& {
-    cases.push_back({name, "li2020", "inventory", scenario.localize, 0.0, 0.0});
-    return cases.back();
-  };
-  add("literal");
-  add("box").settings.li2020.selection = "box";
-  add("branch and bound").settings.li2020.selection = "branch_and_bound";
-  for (const double r : o.local_radii_m) {
-    add(fmt::format("local radius {} m", r)).settings.li2020.local_radius_m = r;
+  OptionCases cases(scenario);
+  cases.add("literal");
+  cases.add("box").settings.li2020.selection = "box";
+  cases.add("branch and bound").settings.li2020.selection = "branch_and_bound";
+  for (const double r : scenario.options.local_radii_m) {
+    cases.add(fmt::format("local radius {} m", r)).settings.li2020.local_radius_m = r;
   }
-  for (const double size_m : o.submap_sizes_m) {
-    add(fmt::format("sub-maps of {} m", size_m)).settings.li2020.submap_size_m = size_m;
+  for (const double size_m : scenario.options.submap_sizes_m) {
+    cases.add(fmt::format("sub-maps of {} m", size_m)).settings.li2020.submap_size_m = size_m;
   }
-  // What any matcher can be told, and mapped from.
+  for (const double slope_deg : scenario.options.slopes_deg) {
+    cases.add_on_slope(slope_deg, ", stars in the plane");
+    cases.add_on_slope(slope_deg, ", stars in space").settings.li2020.stars = "space";
+    cases.add_on_slope(slope_deg, ", levelled").levelled = true;
+  }
   std::vector<std::string> methods = words_of(scenario.variants.methods);
   if (methods.empty()) methods = {"li2020"};
   for (const std::string& method : methods) {
-    if (method != "li2020") add("whole map").method = method;
-    for (const double r : o.prior_radii_m) {
-      OptionsCase& one = add(fmt::format("prior of {} m", r));
-      one.method = method;
-      one.prior_radius_m = r;
+    if (method != "li2020") cases.add("whole map", method);
+    cases.add_told(method);
+    if (method == "li2020") continue;
+    for (const double slope_deg : scenario.options.slopes_deg) {
+      cases.add_on_slope(slope_deg, "", method);
     }
-    OptionsCase& gnss = add(fmt::format("GNSS, s.d. {} m", o.gnss_sigma_m));
-    gnss.method = method;
-    gnss.gnss_sigma_m = o.gnss_sigma_m;
-    OptionsCase& airborne = add("airborne map");
-    airborne.method = method;
-    airborne.map = "airborne";
-    OptionsCase& both = add("airborne map, GNSS");
-    both.method = method;
-    both.map = "airborne";
-    both.gnss_sigma_m = o.gnss_sigma_m;
   }
-  return cases;
+  return cases.all();
 }
 
 std::vector<OptionsAnswer> answer_options(const Scenario& scenario, const OptionsWorld& world,
                                           const OptionsCase& one, int threads) {
-  const auto& map_m = one.map == "airborne" ? world.airborne_m : world.inventory_m;
-  const auto matcher = create_matcher(one.method, map_m, one.settings);
+  const OptionsQueries queries(scenario, world, one);
+  const auto matcher = create_matcher(one.method, queries.map_m(), one.settings);
   std::vector<OptionsAnswer> answers(static_cast<std::size_t>(scenario.options.queries));
   for_each_index(answers.size(), threads, [&](std::size_t q) {
-    answers[q] = answer_option(scenario, world, one, *matcher, q);
+    answers[q] = answer_option(scenario, world, one, *matcher, queries.query(q), q);
   });
   return answers;
 }
 
 std::vector<SelectionComparison> compare_selections(const Scenario& scenario,
                                                     const OptionsWorld& world) {
-  const auto matcher = create_matcher("li2020", world.inventory_m, scenario.localize);
+  const OptionsCase literal = options_cases(scenario).front();
+  const OptionsQueries queries(scenario, world, literal);
+  const auto map_m = queries.map_m();
+  const auto matcher = create_matcher(literal.method, map_m, literal.settings);
   std::vector<SelectionComparison> all;
   for (std::uint64_t q = 0; q < static_cast<std::uint64_t>(scenario.options.queries); ++q) {
-    const OptionsQuery query = options_query(scenario, world, q);
+    const OptionsQuery query = queries.query(q);
     const LocateResult result = matcher->locate(query.stems_m);
-    const auto candidates = pose_candidates(result, query.stems_m, world.inventory_m);
+    const auto candidates = pose_candidates(result, query.stems_m, map_m);
     if (candidates.empty()) continue;
     const double vertices = 6.0 * static_cast<double>(candidates.size());
     SelectionComparison one;

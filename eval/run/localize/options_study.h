@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -29,6 +30,9 @@ struct OptionsCase {
   LocalizeSettings settings;
   double prior_radius_m = 0.0;  ///< 0: none
   double gnss_sigma_m = 0.0;    ///< above 0: the prior is a GNSS position
+  /// The stand lies on a slope of this, and its sensor along the ground.
+  std::optional<double> slope_deg;
+  bool levelled = false;  ///< lists are turned upright by the true tilt before they are matched
 };
 
 /// The literal form first, then each option of the scenario.
@@ -38,6 +42,8 @@ struct OptionsCase {
 struct OptionsAnswer {
   bool accepted = false, right = false;
   double error_m = 0.0, time_ms = 0.0;
+  /// Between the true and the answered vertical; of answers with a tilt.
+  std::optional<double> tilt_error_deg;
   int candidates = 0;  ///< star pairs compared in full
 };
 

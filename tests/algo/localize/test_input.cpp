@@ -142,7 +142,7 @@ TEST_CASE("every setting is described once, with help and source") {
   LocalizeSettings settings;
   KeyList list;
   describe(list, settings);
-  CHECK(list.keys.size() == 17);
+  CHECK(list.keys.size() == 18);
   for (const auto& [key, times] : list.keys) CHECK(times == 1);
   CHECK(list.keys.count("method") == 1);
   CHECK(list.keys.count("li2020.tolerance_m2") == 1);

@@ -242,6 +242,6 @@ TEST_CASE("Sub-maps of bad input are told of") {
   CHECK_THROWS_AS(SubmapMatcher({}, settings), UserError);
   CHECK_THROWS_AS(SubmapMatcher({{0.0, 0.0}, {NAN, 1.0}}, settings), UserError);
   const SubmapMatcher tiled(option_map(30, 30), settings);
-  CHECK(tiled.locate({}).verdict == Verdict::kTooFewStems);
+  CHECK(tiled.locate(OptionPoints{}).verdict == Verdict::kTooFewStems);
   CHECK(tiled.locate(option_map(5, 5), LocatePrior{{1e5, 0.0}, 1.0}).verdict == Verdict::kNotInMap);
 }

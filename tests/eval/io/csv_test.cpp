@@ -27,6 +27,24 @@ TEST_CASE("stem CSV: any column order, comments, CRLF, blank lines, empty option
   CHECK_FALSE(stems[1].dbh_m.has_value());
 }
 
+TEST_CASE("stem CSV: heights that are asked for must be there, and are told by their place") {
+  const TemporaryFolder folder;
+  const auto read = [&](const std::string& text) {
+    write_raw(folder / "z.csv", text);
+    return read_stem_csv(folder / "z.csv", StemList::kMayBeEmpty, StemHeights::kNeeded);
+  };
+  CHECK(read("x_m,y_m,z_m\n1,2,-3.5\n").at(0).z_m == -3.5);
+  CHECK(read("z_m,x_m,y_m\n").empty());
+  CHECK_THAT(user_error_of([&] { (void)read("x_m,y_m\n1,2\n"); }),
+             Catch::Contains("z.csv:1:1: no column 'z_m'"));
+  CHECK_THAT(user_error_of([&] { (void)read("x_m,y_m,Z_m\n1,2,3\n"); }),
+             Catch::Contains("z.csv:1:9: no column 'z_m'; did you mean 'z_m' by 'Z_m'?"));
+  CHECK_THAT(user_error_of([&] { (void)read("x_m,y_m,z_m\n1,2,3\n4,5,\n"); }),
+             Catch::Contains("z.csv:3:5: column 'z_m' is empty"));
+  CHECK_THAT(user_error_of([&] { (void)read("x_m,y_m,z_m\n1,2,inf\n"); }),
+             Catch::Contains("z.csv:2:5"));
+}
+
 TEST_CASE("stem CSV: a list goes round bit for bit, at UTM size too") {
   const TemporaryFolder folder;
   StemMap stems(3);
