@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "algo/localize/li2020/branch_and_bound.h"
+#include "algo/localize/li2020/covariance.h"
 #include "algo/localize/li2020/star_pose.h"
 #include "algo/types/user_error.h"
 
@@ -186,17 +187,19 @@ Selection Li2020Matcher::select(const std::vector<Candidate>& kept,
 void Li2020Matcher::answer(const LocalGraph& local, const std::vector<Candidate>& kept,
                            LocateResult& result) const {
   const Selection selection = select(kept, local.limit);
+  std::vector<PoseCandidate> agreeing;
   for (const Candidate& c : kept) {
     StarMatch match = c.match;
     match.residual_m = mean_residual_m(c.pose, selection.T_map_local);
     match.agrees = match.residual_m < settings_.agreement_m;
-    result.agreeing += match.agrees ? 1 : 0;
+    if (match.agrees) agreeing.push_back(c.pose);
     restore_frames(match, local.centre_m, centre_m_);
     for (VertexPair& pair : match.pairs) {
       pair.local = local.stem[static_cast<std::size_t>(pair.local)];
     }
     result.star_matches.push_back(match);
   }
+  result.agreeing = static_cast<int>(agreeing.size());
   result.chosen = static_cast<int>(selection.chosen);
   result.cost_m = selection.cost_m;
   result.inliers = count_inliers(result.star_matches);
@@ -205,7 +208,10 @@ void Li2020Matcher::answer(const LocalGraph& local, const std::vector<Candidate>
   result.T_map_local = {
       selection.T_map_local.translation_m + centre_m_ - Eigen::Rotation2Dd(yaw) * local.centre_m,
       wrap_to_pi(yaw)};
-  if (result.agreeing >= settings_.min_agreeing) result.verdict = Verdict::kAccepted;
+  if (result.agreeing < settings_.min_agreeing) return;
+  result.verdict = Verdict::kAccepted;
+  result.covariance = pose_covariance(agreeing, kept[selection.chosen].pose, selection.T_map_local,
+                                      -local.centre_m);
 }
 
 LocateResult Li2020Matcher::locate(const Points& stems_in_local_m,
