@@ -54,26 +54,30 @@ ReportTable accuracy_table(const std::vector<TrackingRow>& rows) {
   return table;
 }
 
+std::vector<ReportHeader> events_headers() {
+  return {{"trial"},
+          {"matcher"},
+          {"first pose", "s"},
+          {"kidnapping seen after", "s"},
+          {"recovered after", "s"},
+          {"false kidnappings"},
+          {"losses"},
+          {"longest coast", "s"},
+          {"ended at", "s"},
+          {"its error", "m"},
+          {"stated s.d.", "m"},
+          {"localizations"},
+          {"accepted"},
+          {"wrong"},
+          {"wrong, taken"},
+          {"time p50", "ms"},
+          {"p95", "ms"}};
+}
+
 ReportTable events_table(const std::vector<TrackingRow>& rows) {
   ReportTable table;
   table.title = "Events and localizations";
-  table.headers = {{"trial"},
-                   {"matcher"},
-                   {"first pose", "s"},
-                   {"kidnapping seen after", "s"},
-                   {"recovered after", "s"},
-                   {"false kidnappings"},
-                   {"losses"},
-                   {"longest coast", "s"},
-                   {"ended at", "s"},
-                   {"its error", "m"},
-                   {"stated s.d.", "m"},
-                   {"localizations"},
-                   {"accepted"},
-                   {"wrong"},
-                   {"wrong, taken"},
-                   {"time p50", "ms"},
-                   {"p95", "ms"}};
+  table.headers = events_headers();
   for (const TrackingRow& row : rows) {
     table.rows.push_back({tracking_count(row.trial),
                           {tracking_label(row)},
