@@ -34,8 +34,10 @@ std::optional<Eigen::Matrix3d> pose_covariance(const std::vector<PoseCandidate>&
     information += J.transpose() * J;
   }
   const Eigen::LLT<Eigen::Matrix3d> root(information);
+  constexpr double kOnePoint = 1e-12;  // rounding of stems that lie on one another
+  const bool solvable = root.info() == Eigen::Success && root.rcond() > kOnePoint;
   const double variance = pair_variance(agreeing, T_map_local);
-  if (root.info() != Eigen::Success || !(variance > 0.0)) return std::nullopt;
+  if (!solvable || !(variance > 0.0)) return std::nullopt;
   const Eigen::Matrix3d covariance = variance * root.solve(Eigen::Matrix3d::Identity());
   return 0.5 * (covariance + covariance.transpose());
 }

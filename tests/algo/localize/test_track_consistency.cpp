@@ -1,5 +1,6 @@
 // Is what a track states of its error true? Worlds whose errors have known sizes, many times.
 #include <Eigen/Eigenvalues>
+#include <array>
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <limits>
@@ -85,7 +86,7 @@ double mean_nees(const ErrorWorld& world, const TrackingSettings& settings, int 
 }
 
 /// Fixes count in full, and hold all of their error.
-TrackingSettings independent_fixes() {
+TrackingSettings fixes_in_full() {
   TrackingSettings settings;
   settings.shared_length_m = 0.5;  // the way between them
   settings.map_sigma_m = 0.0;
@@ -105,7 +106,7 @@ void check_covariance(const Eigen::Matrix3d& covariance) {
 TEST_CASE("With drift, registration errors and fixes as stated the mean NEES is 3") {
   ErrorWorld world;
   world.drift = 0.005;
-  TrackingSettings settings = independent_fixes();
+  TrackingSettings settings = fixes_in_full();
   settings.odometry.drift = world.drift;
   settings.odometry.drift_length_m = 1e5;
   // The registration's own error at a fix is counted with the fix; here it is none.
@@ -121,7 +122,7 @@ TEST_CASE("With drift, registration errors and fixes as stated the mean NEES is 
 TEST_CASE("A drift that the filter does not know of makes it say too much") {
   ErrorWorld world;
   world.drift = 0.02;
-  TrackingSettings settings = independent_fixes();
+  TrackingSettings settings = fixes_in_full();
   settings.odometry.drift = 0.0;
   world.registration_m = 0.002;
   world.registration_rad = 0.0004;
@@ -143,7 +144,7 @@ TEST_CASE("Fixes that share their errors do not make the track say too much") {
     CHECK(mean > 0.2);
   }
   // Taken for independent, the same fixes do.
-  CHECK(mean_nees(world, independent_fixes(), 200) > 6.0);
+  CHECK(mean_nees(world, fixes_in_full(), 200) > 6.0);
 }
 
 TEST_CASE("A stated registration enters once a shared length, once a radian, and not at rest") {
