@@ -85,7 +85,7 @@ TEST_CASE("The planar covariance of an estimate is along the levelled axes of th
   const Eigen::Matrix3d level = planar_covariance(estimate);
   CHECK(level.isApprox(Eigen::Vector3d(4.0, 1.0, 0.3).asDiagonal().toDenseMatrix()));
   // On its side, the lidar's z lies in the plane and its y is the axis of yaw.
-  estimate.T_odom_end = pose_from_rpy({}, kPi / 2.0, 0.0, 2.0);
+  estimate.T_odom_end = pose_from_rpy({0.0, 0.0, 0.0}, kPi / 2.0, 0.0, 2.0);
   const Eigen::Matrix3d tilted = planar_covariance(estimate);
   CHECK(tilted.isApprox(Eigen::Vector3d(4.0, 9.0, 0.2).asDiagonal().toDenseMatrix()));
 }
