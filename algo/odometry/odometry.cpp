@@ -50,6 +50,17 @@ std::string_view name_of(OdometryCause cause) {
   return kNames.at(static_cast<std::size_t>(cause));
 }
 
+Eigen::Matrix3d planar_covariance(const OdometryEstimate& estimate) {
+  const Pose3& T_odom_end = estimate.T_odom_end;
+  const Eigen::Matrix3d R_level_lidar =
+      Eigen::AngleAxisd(-yaw_of(T_odom_end), Eigen::Vector3d::UnitZ()) * T_odom_end.linear();
+  Eigen::Matrix<double, 3, 6> J = Eigen::Matrix<double, 3, 6>::Zero();
+  J.topLeftCorner<2, 3>() = R_level_lidar.topRows<2>();
+  J.bottomRightCorner<1, 3>() = R_level_lidar.row(2);
+  const Eigen::Matrix3d planar = J * estimate.covariance * J.transpose();
+  return 0.5 * (planar + planar.transpose());
+}
+
 void describe(SettingsVisitor& v, LidarOdometrySettings& s) {
   v.group("loam", [&] { describe(v, s.loam); });
   v.group("stems", [&] { describe(v, s.stems); });

@@ -63,6 +63,10 @@ struct OdometryEstimate {
   OdometryCause cause = OdometryCause::kNone;
 };
 
+/// The covariance of an estimate's registration, of (x, y, yaw) of the levelled lidar along its own
+/// axes at the sweep's end. m², rad².
+[[nodiscard]] Eigen::Matrix3d planar_covariance(const OdometryEstimate& estimate);
+
 /// Estimates the way of a lidar from its scans. Its frame, odom, has its origin where the lidar is
 /// at the first sweep's start, x along its heading there, and z up.
 class Odometry {

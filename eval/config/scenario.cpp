@@ -3,7 +3,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <functional>
+#include <string_view>
 
 #include "algo/types/user_error.h"
 #include "eval/config/scenario_reader.h"
@@ -115,12 +117,22 @@ StemMap read_measured(const ResolvedScenario& resolved) {
   }
 }
 
+/// Groups of keys that one kind of experiment alone reads.
+struct OwnKeys {
+  std::string_view prefix, experiment;
+};
+constexpr std::array kOwnKeys = {OwnKeys{"tracking.", "tracking"}, OwnKeys{"options.", "options"},
+                                 OwnKeys{"map_update.", "map_update"},
+                                 OwnKeys{"pairs.", "stem_pairs"}};
+
 /// What a scenario is called, where its data lie, how many trials a study has or how long it waits
 /// for one, and the keys of an experiment that is not run do not change the results of a trial.
 bool changes_results(const std::string& key, const std::string& experiment) {
   if (key.rfind("study.", 0) == 0) return key == "study.worlds";
-  if (key.rfind("map_update.", 0) == 0) return experiment == "map_update";
-  return key != "title" && key != "question" && key != "forest.stem_map" && key != "pairs.folder";
+  for (const OwnKeys& own : kOwnKeys) {
+    if (key.rfind(own.prefix, 0) == 0) return key != "pairs.folder" && experiment == own.experiment;
+  }
+  return key != "title" && key != "question" && key != "forest.stem_map";
 }
 
 std::string hash_of(const Scenario& scenario) {

@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "algo/localize/li2020/branch_and_bound.h"
+#include "algo/localize/li2020/covariance.h"
 #include "algo/localize/li2020/star_frames.h"
 #include "algo/types/user_error.h"
 
@@ -178,26 +179,32 @@ auto Li2020MatcherIn<D>::match_stars(const LocalGraph& local, int& candidates) c
 template <int D>
 void Li2020MatcherIn<D>::answer(const LocalGraph& local, const std::vector<Candidate>& kept,
                                 LocateResult& result) const {
-  std::vector<PoseCandidateIn<D>> poses;
+  std::vector<PoseCandidateIn<D>> poses, agreeing;
   for (const Candidate& c : kept) poses.push_back(c.pose);
   const SelectionIn<D> selection = select(poses, local.limit, settings_.selection);
   for (const Candidate& c : kept) {
     StarMatch match = c.match;
     match.residual_m = mean_residual_m(c.pose, selection.T_map_local);
     match.agrees = match.residual_m < settings_.agreement_m;
-    result.agreeing += match.agrees ? 1 : 0;
+    if (match.agrees) agreeing.push_back(c.pose);
     restore_frames(match, c.pose.T_map_local, local.graph.centre_m, map_.centre_m);
     for (VertexPair& pair : match.pairs) {
       pair.local = local.stem[static_cast<std::size_t>(pair.local)];
     }
     result.star_matches.push_back(match);
   }
+  result.agreeing = static_cast<int>(agreeing.size());
   result.chosen = static_cast<int>(selection.chosen);
   result.cost_m = selection.cost_m;
   result.inliers = count_inliers(result.star_matches);
   result.margin = static_cast<double>(result.agreeing) / static_cast<double>(result.matches);
   set_answer(result, selection.T_map_local, local.graph.centre_m, map_.centre_m);
-  if (result.agreeing >= settings_.min_agreeing) result.verdict = Verdict::kAccepted;
+  if (result.agreeing < settings_.min_agreeing) return;
+  result.verdict = Verdict::kAccepted;
+  if constexpr (D == 2) {
+    result.covariance = pose_covariance(agreeing, poses[selection.chosen], selection.T_map_local,
+                                        -local.graph.centre_m);
+  }
 }
 
 template <int D>

@@ -2,6 +2,7 @@
 
 #include <Eigen/Cholesky>
 #include <Eigen/Eigenvalues>
+#include <algorithm>
 #include <cmath>
 
 #include "algo/types/check.h"
@@ -9,44 +10,80 @@
 namespace honka {
 namespace {
 
-/// (x, y, yaw) from b to a, the yaw wrapped.
+Eigen::Matrix3d symmetric_part(const Eigen::Matrix3d& m) { return 0.5 * (m + m.transpose()); }
+
+Eigen::Matrix3d variances(double metres, double radians) {
+  return Eigen::Vector3d(metres * metres, metres * metres, radians * radians).asDiagonal();
+}
+
+Eigen::Matrix3d random_walk(double way_m, double turn_rad, double duration_s,
+                            const OdometryNoiseSettings& noise) {
+  return way_m * variances(noise.sigma_m_per_sqrt_m, deg_to_rad(noise.sigma_deg_per_sqrt_m)) +
+         turn_rad * variances(0.0, deg_to_rad(noise.sigma_deg_per_sqrt_turn)) +
+         duration_s * variances(noise.sigma_m_per_sqrt_s, deg_to_rad(noise.sigma_deg_per_sqrt_s));
+}
+
+/// Of a motion that no registration saw.
+Eigen::Matrix3d unobserved(double duration_s, const OdometryNoiseSettings& noise) {
+  return variances(noise.unobserved_m_per_s * duration_s,
+                   deg_to_rad(noise.unobserved_deg_per_s) * duration_s);
+}
+
+/// Whether a direction is not known to 0.1 m, a radian counting 10 m: the mark of odometries here.
+bool is_unobserved(const Eigen::Matrix3d& covariance) {
+  constexpr double kKnown_m = 0.1, kLever_m = 10.0;
+  return std::max({covariance(0, 0), covariance(1, 1), kLever_m * kLever_m * covariance(2, 2)}) >
+         kKnown_m * kKnown_m;
+}
+
+}  // namespace
+
 Eigen::Vector3d pose_difference(const Pose2& a, const Pose2& b) {
   Eigen::Vector3d difference;
   difference << a.translation_m - b.translation_m, wrap_to_pi(a.yaw_rad - b.yaw_rad);
   return difference;
 }
 
-/// Covariance of an increment along the lidar's axes.
-Eigen::Vector3d increment_variance(const Pose2& increment, double duration_s,
-                                   const OdometryNoiseSettings& noise) {
-  const auto squared = [](double value) { return value * value; };
-  const double way_m = increment.translation_m.norm();
-  const double position =
-      squared(noise.sigma_m_per_sqrt_m) * way_m + squared(noise.sigma_m_per_sqrt_s) * duration_s;
-  const double yaw =
-      squared(deg_to_rad(noise.sigma_deg_per_sqrt_m)) * way_m +
-      squared(deg_to_rad(noise.sigma_deg_per_sqrt_turn)) * std::abs(increment.yaw_rad) +
-      squared(deg_to_rad(noise.sigma_deg_per_sqrt_s)) * duration_s;
-  return {position, position, yaw};
+OdometryStep odometry_step(const Pose2& T_last_now, double duration_s,
+                           const std::optional<Eigen::Matrix3d>& stated,
+                           const TrackingSettings& settings) {
+  const double way_m = T_last_now.translation_m.norm();
+  const double turn_rad = std::abs(T_last_now.yaw_rad);
+  if (!stated) return {T_last_now, random_walk(way_m, turn_rad, duration_s, settings.odometry)};
+  if (is_unobserved(*stated)) return {T_last_now, unobserved(duration_s, settings.odometry)};
+  // One registration error for each view of other stems.
+  return {T_last_now, (way_m / settings.shared_length_m + turn_rad) * *stated};
 }
 
-Eigen::Matrix3d symmetric_part(const Eigen::Matrix3d& m) { return 0.5 * (m + m.transpose()); }
+OdometryStep carrying_step(const Pose2& T_fix_now, double duration_s,
+                           const std::optional<Eigen::Matrix3d>& stated,
+                           const TrackingSettings& settings) {
+  OdometryStep step = odometry_step(T_fix_now, duration_s, stated, settings);
+  if (stated && !is_unobserved(*stated)) step.covariance += *stated;
+  return step;
+}
 
-}  // namespace
-
-Belief moved(const Belief& belief, const Pose2& T_last_now, double duration_s,
-             const OdometryNoiseSettings& noise) {
-  Belief now;
-  now.T_map_lidar = belief.T_map_lidar * T_last_now;
+Eigen::Matrix3d motion_jacobian(const Pose2& from, const Pose2& to) {
   // δp' = δp + (∂R/∂ψ) u δψ, δψ' = δψ
-  const Eigen::Vector2d step = now.T_map_lidar.translation_m - belief.T_map_lidar.translation_m;
+  const Eigen::Vector2d step = to.translation_m - from.translation_m;
   Eigen::Matrix3d F = Eigen::Matrix3d::Identity();
   F(0, 2) = -step.y();
   F(1, 2) = step.x();
-  const Eigen::Vector3d variance = increment_variance(T_last_now, duration_s, noise);
-  // Equal along both axes of the lidar, so the same in the map's.
-  now.covariance = symmetric_part(F * belief.covariance * F.transpose());
-  now.covariance.diagonal() += variance;
+  return F;
+}
+
+Eigen::Matrix3d covariance_in_map(const OdometryStep& step, const Pose2& T_map_now) {
+  Eigen::Matrix3d R = Eigen::Matrix3d::Identity();
+  R.topLeftCorner<2, 2>() = Eigen::Rotation2Dd(T_map_now.yaw_rad).toRotationMatrix();
+  return R * step.covariance * R.transpose();
+}
+
+Belief moved(const Belief& belief, const OdometryStep& step) {
+  Belief now;
+  now.T_map_lidar = belief.T_map_lidar * step.T_last_now;
+  const Eigen::Matrix3d F = motion_jacobian(belief.T_map_lidar, now.T_map_lidar);
+  now.covariance = symmetric_part(F * belief.covariance * F.transpose() +
+                                  covariance_in_map(step, now.T_map_lidar));
   return now;
 }
 
@@ -55,19 +92,6 @@ double mahalanobis_squared(const Belief& a, const Belief& b) {
   const Eigen::LDLT<Eigen::Matrix3d> sum(a.covariance + b.covariance);
   const double squared = difference.dot(sum.solve(difference));
   return std::isfinite(squared) && sum.isPositive() ? squared : INFINITY;
-}
-
-Belief fused(const Belief& belief, const Belief& fix) {
-  const Eigen::Matrix3d sum = belief.covariance + fix.covariance;
-  const Eigen::Matrix3d gain = sum.ldlt().solve(belief.covariance).transpose();
-  const Eigen::Vector3d correction = gain * pose_difference(fix.T_map_lidar, belief.T_map_lidar);
-  Belief result;
-  result.T_map_lidar.translation_m = belief.T_map_lidar.translation_m + correction.head<2>();
-  result.T_map_lidar.yaw_rad = wrap_to_pi(belief.T_map_lidar.yaw_rad + correction.z());
-  const Eigen::Matrix3d rest = Eigen::Matrix3d::Identity() - gain;
-  result.covariance = symmetric_part(rest * belief.covariance * rest.transpose() +
-                                     gain * fix.covariance * gain.transpose());
-  return result;
 }
 
 double chi_square_3_quantile(double probability) {

@@ -5,7 +5,19 @@
 namespace honka {
 
 void describe(SettingsVisitor& v, OdometryNoiseSettings& s) {
-  v.field({"sigma_m_per_sqrt_m", "m", "s.d. of x and of y after one metre; grows with its root",
+  v.field({"drift", "", "s.d. of the drift of x and of y, metres a metre of way",
+           "scenarios/odometry: up to 0.1 % of the way, on two axes"},
+          s.drift, {0, 1});
+  v.field(
+      {"drift_length_m", "m", "way over which the drift holds", "choice: drift is given per 100 m"},
+      s.drift_length_m, {0.01, 1e6});
+  v.field({"unobserved_m_per_s", "m/s", "s.d. of the motion that no registration saw",
+           "choice: half of a forwarder's speed"},
+          s.unobserved_m_per_s, {0, 100});
+  v.field({"unobserved_deg_per_s", "deg/s", "the same of the turn", "choice"},
+          s.unobserved_deg_per_s, {0, 1000});
+  v.field({"sigma_m_per_sqrt_m", "m",
+           "of an odometry that states no covariance: s.d. of x and of y after one metre",
            "choice: 0.3 m after 100 m, the class of lidar odometry"},
           s.sigma_m_per_sqrt_m, {0, 10});
   v.field({"sigma_deg_per_sqrt_m", "deg", "s.d. of yaw after one metre",
@@ -30,14 +42,16 @@ void describe(SettingsVisitor& v, TrackingSettings& s) {
   v.field({"fix_sigma_deg", "deg", "s.d. of yaw of a localization that states no covariance",
            "Li2020 3.2: at most 2.23 deg"},
           s.fix_sigma_deg, {1e-6, 90});
-  v.field({"map_sigma_m", "m", "bend of the map, which residuals do not show; added to any fix",
-           "choice"},
+  v.field({"map_sigma_m", "m",
+           "what residuals do not show of any fix: level of its frame, bend of the map",
+           "choice: 0.2 deg of level (algo/odometry/stems) at 3 m of height"},
           s.map_sigma_m, {0, 100});
   v.field({"map_sigma_deg", "deg", "the same of yaw", "choice"}, s.map_sigma_deg, {0, 90});
-  v.field({"fix_correlation_m", "m",
-           "way over which fixes see the same stems of the same map: together they count as one",
-           "choice: a third of the 30 m of sight"},
-          s.fix_correlation_m, {0, 1000});
+  v.field(
+      {"shared_length_m", "m",
+       "way over which the same stems are seen: fixes count as one, registrations share an error",
+       "choice: a third of the 30 m of sight"},
+      s.shared_length_m, {0.01, 1000});
   v.field({"gate_probability", "", "of a fix of the stated covariance to be inside the gate",
            "choice: chi-square, 3 degrees of freedom"},
           s.gate_probability, {0.5, 0.999999});

@@ -6,13 +6,18 @@
 
 namespace honka {
 
-/// Error of odometry increments: a random walk along the way, with the turns, and with time.
+/// Error of odometry: drift, and a random walk along the way, with the turns, and with time. The
+/// walk is for odometries that state no covariance.
 struct OdometryNoiseSettings {
   double sigma_m_per_sqrt_m = 0.03;
   double sigma_deg_per_sqrt_m = 0.1;
   double sigma_deg_per_sqrt_turn = 0.3;
   double sigma_m_per_sqrt_s = 0.005;
   double sigma_deg_per_sqrt_s = 0.02;
+  double drift = 0.0007;
+  double drift_length_m = 100.0;
+  double unobserved_m_per_s = 0.5;
+  double unobserved_deg_per_s = 10.0;
 };
 void describe(SettingsVisitor& v, OdometryNoiseSettings& s);
 
@@ -21,9 +26,9 @@ struct TrackingSettings {
   OdometryNoiseSettings odometry;
   double fix_sigma_m = 0.2;
   double fix_sigma_deg = 1.0;
-  double map_sigma_m = 0.03;
-  double map_sigma_deg = 0.05;
-  double fix_correlation_m = 10.0;
+  double map_sigma_m = 0.01;
+  double map_sigma_deg = 0.0;
+  double shared_length_m = 10.0;
   double gate_probability = 0.999;
   std::int64_t confirm_fixes = 3;
   double confirm_distance_m = 0.5;

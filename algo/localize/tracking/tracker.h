@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "algo/localize/matcher.h"
-#include "algo/localize/tracking/belief.h"
+#include "algo/localize/tracking/drift_filter.h"
 
 namespace honka {
 
@@ -72,16 +72,18 @@ enum class FixUse : std::uint8_t {
 [[nodiscard]] std::string_view name_of(FixUse use);
 
 /// A pose at every scan from odometry and from localizations that come now and then: an error-state
-/// Kalman filter on SE(2), with rivals. A fix outside the gate founds a rival belief, or joins one
-/// that it agrees with; a rival of `confirm_fixes` becomes the track.
+/// Kalman filter on SE(2) and the odometry's drift, with rivals. A fix outside the gate founds a
+/// rival, or joins one that it agrees with; a rival of `confirm_fixes` becomes the track.
 class PoseTracker {
  public:
   /// Throws UserError at settings outside of what `describe` allows.
   explicit PoseTracker(const TrackingSettings& settings);
 
-  /// The odometry's pose at a scan, in the order of time → the track's. Throws UserError at a time
-  /// that runs backwards or a number not finite.
-  TrackedPose add_odometry(double time_s, const Pose2& T_odom_lidar);
+  /// The odometry's pose at a scan, in the order of time → the track's. `covariance`: what the
+  /// odometry states of that registration, of (x, y, yaw) along the lidar's axes. Throws UserError
+  /// at a time that runs backwards, a number not finite or a covariance that is none.
+  TrackedPose add_odometry(double time_s, const Pose2& T_odom_lidar,
+                           const std::optional<Eigen::Matrix3d>& covariance = std::nullopt);
 
   /// A localization that was accepted, at or before the last scan; it is carried to it by the
   /// odometry. Throws UserError before the first scan.
@@ -101,7 +103,7 @@ class PoseTracker {
  private:
   /// Fixes that agree with one another and not with the track.
   struct Rival {
-    Belief belief;
+    DriftFilter filter;
     std::int64_t fixes = 0;
     double travelled_m = 0.0;  ///< where its last counted fix was
   };
@@ -111,16 +113,17 @@ class PoseTracker {
   void use(const Belief& fix, double fix_time_s);
   FixUse remember(const Belief& fix);
   [[nodiscard]] Rival* agreeing_rival(const Belief& fix);
-  void restart(const Belief& belief);
+  void restart(const DriftFilter& filter);
   void report(TrackEvent::Kind kind, double distance_m = 0.0);
 
   TrackingSettings settings_;
   double gate_ = 0.0;
   std::optional<Pose2> T_odom_last_;
+  std::optional<Eigen::Matrix3d> covariance_last_;
   double time_s_ = 0.0;
   double travelled_m_ = 0.0;
   TrackState state_ = TrackState::kSearching;
-  Belief track_;  ///< the last one, moved on by odometry, while lost
+  std::optional<DriftFilter> track_;  ///< the last one, moved on by odometry, while lost
   double last_fix_s_ = 0.0;
   double last_fix_travelled_m_ = 0.0;
   std::int64_t rejected_in_a_row_ = 0;

@@ -40,7 +40,8 @@ TrackedRun track_drive(const TrackingDrive& drive, const TrackingCase& what,
   PoseTracker tracker(scenario.tracking.filter);
   auto view = drive.views.begin();
   for (std::size_t k = 0; k < drive.scans.size(); ++k) {
-    (void)tracker.add_odometry(drive.scans[k].time_s, drive.scans[k].T_odom_lidar);
+    const TrackedScan& scan = drive.scans[k];
+    (void)tracker.add_odometry(scan.time_s, scan.T_odom_lidar, scan.covariance);
     for (; view != drive.views.end() && view->scan < k; ++view) {
       run.localizations.push_back(localize_view(drive, *view, *matcher, what, tracker));
     }

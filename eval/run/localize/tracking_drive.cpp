@@ -130,7 +130,7 @@ TrackingDrive drive_part(const DriveOrder& order, const Scenario& scenario, std:
       part.views.push_back({part.scans.size(), std::move(next->stems)});
       ++next;
     }
-    part.scans.push_back({time_s, level_plane(estimate.T_odom_start),
+    part.scans.push_back({time_s, level_plane(estimate.T_odom_start), planar_covariance(estimate),
                           level_plane(drive.vehicle->trajectory().T_world_lidar(time_s))});
   }
   return part;

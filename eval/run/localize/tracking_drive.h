@@ -13,8 +13,9 @@ namespace honka::eval {
 /// The odometry's pose at the start of a sweep, with the truth of it for the metrics alone.
 struct TrackedScan {
   double time_s = 0.0;
-  Pose2 T_odom_lidar;   ///< planar part of the levelled pose
-  Pose2 T_world_lidar;  ///< truth
+  Pose2 T_odom_lidar;                                    ///< planar part of the levelled pose
+  Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();  ///< what the odometry states of it
+  Pose2 T_world_lidar;                                   ///< truth
 };
 
 /// The stems that the last frames of a drive show, in the levelled frame of the last one's lidar.

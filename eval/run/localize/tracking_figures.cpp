@@ -158,14 +158,14 @@ ReportFigure draw_errors(const std::filesystem::path& folder, const TrackingDriv
   figure.title("Position error of the track",
                run_name(run) + "; red line: the kidnapping; dashed: events");
   figure << "set logscale y"
-         << "set yrange [0.01:300]"
+         << "set yrange [0.001:300]"
          << "set xlabel 'time (s)'"
          << "set ylabel 'error (m)'";
   figure.key_below(95);
   mark_events(figure, drive, run, true);
   std::vector<std::string> elements = {
       figure.data("time s, 2 s.d. m", {curves.time_s, curves.bound_m}) +
-          " with filledcurves y1=0.01 fc '#DCEBF7' title '2 s.d.'",
+          " with filledcurves y1=0.001 fc '#DCEBF7' title '2 s.d.'",
       figure.data("time s, error m", {curves.time_s, curves.error_m}) + " with lines lw 1.4 lc " +
           kBlue + " title 'error of the track'"};
   const bool any = std::any_of(curves.error_m.begin(), curves.error_m.end(),

@@ -49,22 +49,53 @@ bool is_unnoticed(const TrackingDrive& drive, const TrackingRow& row, double tim
   return time_s < drive.kidnapped_s + row.detect_s.value_or(INFINITY);
 }
 
-void judge_poses(const TrackingDrive& drive, const TrackedRun& run, TrackingRow& row) {
-  std::vector<double> errors_m, nees;
-  std::int64_t with_pose = 0, inside = 0;
+/// The longest time without a localization, and what the track was worth at its end.
+void judge_coasting(const TrackingDrive& drive, const TrackedRun& run, TrackingRow& row) {
+  for (std::size_t k = 0; k < run.poses.size(); ++k) {
+    const TrackedPose& pose = run.poses[k];
+    if (pose.state != TrackState::kCoasting || is_unnoticed(drive, row, pose.time_s)) continue;
+    if (pose.since_fix_s < row.longest_coast_s.value_or(0.0)) continue;
+    row.longest_coast_s = pose.since_fix_s;
+    const Pose2& truth = drive.scans[k].T_world_lidar;
+    row.coast_error_m = pose_error(pose.belief.T_map_lidar, truth).translation_m;
+    row.coast_sigma_m = largest_position_sigma_m(pose.belief);
+    row.coast_end_s = first_event_s(run, TrackEvent::Kind::kRecovered, pose.time_s);
+  }
+}
+
+/// NEES of scans with a pose, by state.
+struct NeesOfStates {
+  std::vector<double> all, tracking, coasting;
+
+  void add(TrackState state, double nees) {
+    all.push_back(nees);
+    (state == TrackState::kCoasting ? coasting : tracking).push_back(nees);
+  }
+  [[nodiscard]] std::optional<double> inside() const {
+    if (all.empty()) return std::nullopt;
+    const auto below = [](double nees) { return nees < kChiSquare3At95; };
+    return static_cast<double>(std::count_if(all.begin(), all.end(), below)) /
+           static_cast<double>(all.size());
+  }
+};
+
+void judge_poses(const TrackingDrive& drive, const TrackedRun& run, double stretch_m,
+                 TrackingRow& row) {
+  std::vector<double> errors_m;
+  NeesOfStates nees;
+  std::int64_t with_pose = 0;
+  double way_m = 0.0;
   for (std::size_t k = 0; k < run.poses.size(); ++k) {
     const TrackedPose& pose = run.poses[k];
     if (!pose.has_pose()) continue;
     ++with_pose;
     if (is_unnoticed(drive, row, pose.time_s)) continue;
-    const Pose2& truth = drive.scans[k].T_world_lidar;
-    errors_m.push_back(pose_error(pose.belief.T_map_lidar, truth).translation_m);
-    nees.push_back(nees_of(pose, truth));
-    if (nees.back() < kChiSquare3At95) ++inside;
-    if (pose.state != TrackState::kCoasting) continue;
-    if (pose.since_fix_s < row.longest_coast_s.value_or(0.0)) continue;
-    row.longest_coast_s = pose.since_fix_s;
-    row.coast_error_m = errors_m.back();
+    const TrackedScan& scan = drive.scans[k];
+    errors_m.push_back(pose_error(pose.belief.T_map_lidar, scan.T_world_lidar).translation_m);
+    nees.add(pose.state, nees_of(pose, scan.T_world_lidar));
+    if (k == 0) continue;
+    way_m +=
+        (scan.T_odom_lidar.translation_m - drive.scans[k - 1].T_odom_lidar.translation_m).norm();
   }
   row.scans = static_cast<std::int64_t>(run.poses.size());
   if (row.scans > 0) {
@@ -72,10 +103,11 @@ void judge_poses(const TrackingDrive& drive, const TrackedRun& run, TrackingRow&
   }
   row.track_rmse_m = rmse(errors_m);
   row.track_max_m = maximum(errors_m);
-  row.nees_mean = mean(nees);
-  if (!nees.empty()) {
-    row.nees_inside = static_cast<double>(inside) / static_cast<double>(nees.size());
-  }
+  row.nees_mean = mean(nees.all);
+  row.nees_inside = nees.inside();
+  row.nees_tracking = mean(nees.tracking);
+  row.nees_coasting = mean(nees.coasting);
+  row.stretches = static_cast<std::int64_t>(way_m / stretch_m);
 }
 
 /// Error of the odometry that starts at the true pose, up to the kidnapping.
@@ -126,7 +158,8 @@ TrackingRow judge_track(const TrackingDrive& drive, const TrackedRun& run, const
   row.frames = scenario.tracking.frames[run.what.view];
   row.with_prior = run.what.with_prior;
   judge_events(drive, run, row);
-  judge_poses(drive, run, row);
+  judge_poses(drive, run, scenario.tracking.filter.shared_length_m, row);
+  judge_coasting(drive, run, row);
   judge_localizations(
       run, {scenario.protocol.success_translation_m, scenario.protocol.success_rotation_deg}, row);
   row.odometry_rmse_m = odometry_rmse_m(drive);

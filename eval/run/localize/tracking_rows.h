@@ -24,8 +24,12 @@ struct TrackingRow {
   std::optional<double> odometry_rmse_m;  ///< alone, from the true pose of its start, to the hop
   std::optional<double> nees_mean;        ///< of (x, y, yaw); 3 when the covariance is honest
   std::optional<double> nees_inside;      ///< share below the 95 % quantile, 7.81
+  std::optional<double> nees_tracking, nees_coasting;  ///< the mean, by state
+  std::int64_t stretches = 0;  ///< of tracking.shared_length_m that the NEES was taken over
   std::optional<double> first_pose_s, detect_s, recover_s;
-  std::optional<double> longest_coast_s, coast_error_m;
+  std::optional<double> longest_coast_s, coast_error_m;  ///< the error at its end
+  std::optional<double> coast_sigma_m;  ///< and the largest s.d. that the track states there
+  std::optional<double> coast_end_s;    ///< time of the localization that ended it
   std::int64_t false_kidnappings = 0, losses = 0;
   double time_p50_ms = 0.0, time_p95_ms = 0.0;
 };

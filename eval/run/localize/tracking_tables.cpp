@@ -33,7 +33,10 @@ ReportTable accuracy_table(const std::vector<TrackingRow>& rows) {
                    {"right fixes", "m"},
                    {"odometry alone", "m"},
                    {"NEES (3)"},
-                   {"below 95 % (0.95)"}};
+                   {"below 95 % (0.95)"},
+                   {"NEES tracking"},
+                   {"coasting"},
+                   {"stretches"}};
   for (const TrackingRow& row : rows) {
     table.rows.push_back({tracking_count(row.trial),
                           {tracking_label(row)},
@@ -43,29 +46,38 @@ ReportTable accuracy_table(const std::vector<TrackingRow>& rows) {
                           tracking_cell(row.fix_rmse_m, 3),
                           tracking_cell(row.odometry_rmse_m, 3),
                           tracking_cell(row.nees_mean, 2),
-                          tracking_cell(row.nees_inside, 3)});
+                          tracking_cell(row.nees_inside, 3),
+                          tracking_cell(row.nees_tracking, 2),
+                          tracking_cell(row.nees_coasting, 2),
+                          tracking_count(row.stretches)});
   }
   return table;
+}
+
+std::vector<ReportHeader> events_headers() {
+  return {{"trial"},
+          {"matcher"},
+          {"first pose", "s"},
+          {"kidnapping seen after", "s"},
+          {"recovered after", "s"},
+          {"false kidnappings"},
+          {"losses"},
+          {"longest coast", "s"},
+          {"ended at", "s"},
+          {"its error", "m"},
+          {"stated s.d.", "m"},
+          {"localizations"},
+          {"accepted"},
+          {"wrong"},
+          {"wrong, taken"},
+          {"time p50", "ms"},
+          {"p95", "ms"}};
 }
 
 ReportTable events_table(const std::vector<TrackingRow>& rows) {
   ReportTable table;
   table.title = "Events and localizations";
-  table.headers = {{"trial"},
-                   {"matcher"},
-                   {"first pose", "s"},
-                   {"kidnapping seen after", "s"},
-                   {"recovered after", "s"},
-                   {"false kidnappings"},
-                   {"losses"},
-                   {"longest coast", "s"},
-                   {"its error", "m"},
-                   {"localizations"},
-                   {"accepted"},
-                   {"wrong"},
-                   {"wrong, taken"},
-                   {"time p50", "ms"},
-                   {"p95", "ms"}};
+  table.headers = events_headers();
   for (const TrackingRow& row : rows) {
     table.rows.push_back({tracking_count(row.trial),
                           {tracking_label(row)},
@@ -75,7 +87,9 @@ ReportTable events_table(const std::vector<TrackingRow>& rows) {
                           tracking_count(row.false_kidnappings),
                           tracking_count(row.losses),
                           tracking_cell(row.longest_coast_s, 1),
-                          tracking_cell(row.coast_error_m, 2),
+                          tracking_cell(row.coast_end_s, 1),
+                          tracking_cell(row.coast_error_m, 3),
+                          tracking_cell(row.coast_sigma_m, 3),
                           tracking_count(row.localizations),
                           tracking_count(row.accepted),
                           tracking_count(row.wrong_accepted),
@@ -99,13 +113,18 @@ Json tracking_json_row(const TrackingRow& row) {
           {"odometry_rmse_m", tracking_or_null(row.odometry_rmse_m)},
           {"nees_mean", tracking_or_null(row.nees_mean)},
           {"nees_inside_share", tracking_or_null(row.nees_inside)},
+          {"nees_tracking", tracking_or_null(row.nees_tracking)},
+          {"nees_coasting", tracking_or_null(row.nees_coasting)},
+          {"nees_stretches", row.stretches},
           {"first_pose_s", tracking_or_null(row.first_pose_s)},
           {"detect_s", tracking_or_null(row.detect_s)},
           {"recover_s", tracking_or_null(row.recover_s)},
           {"false_kidnappings", row.false_kidnappings},
           {"losses", row.losses},
           {"longest_coast_s", tracking_or_null(row.longest_coast_s)},
+          {"coast_end_s", tracking_or_null(row.coast_end_s)},
           {"coast_error_m", tracking_or_null(row.coast_error_m)},
+          {"coast_sigma_m", tracking_or_null(row.coast_sigma_m)},
           {"localizations", row.localizations},
           {"accepted", row.accepted},
           {"wrong_accepted", row.wrong_accepted},
@@ -136,6 +155,8 @@ Table tracking_trial_table(const std::vector<TrackingRow>& rows) {
                {"odometry_rmse_m", "m", "position error of the odometry alone", Doubles{}},
                {"nees_mean", "", "normalized error squared, 3 degrees of freedom", Doubles{}},
                {"nees_inside_share", "", "below the 95 % quantile", Doubles{}},
+               {"nees_tracking", "", "its mean while tracking", Doubles{}},
+               {"nees_coasting", "", "and while coasting", Doubles{}},
                {"detect_s", "s", "from the kidnapping to its report", Doubles{}},
                {"recover_s", "s", "from the kidnapping to the next pose", Doubles{}},
                {"time_p50_ms", "ms", "of a localization", Doubles{}, false}});
@@ -145,6 +166,7 @@ Table tracking_trial_table(const std::vector<TrackingRow>& rows) {
                   tracking_or_nan(r.track_rmse_m), tracking_or_nan(r.track_max_m),
                   tracking_or_nan(r.fix_rmse_m), tracking_or_nan(r.odometry_rmse_m),
                   tracking_or_nan(r.nees_mean), tracking_or_nan(r.nees_inside),
+                  tracking_or_nan(r.nees_tracking), tracking_or_nan(r.nees_coasting),
                   tracking_or_nan(r.detect_s), tracking_or_nan(r.recover_s), r.time_p50_ms);
   }
   return table;
@@ -185,8 +207,11 @@ std::vector<std::string> tracking_protocol(const Scenario& scenario) {
                   "probability {:.0e} at each fix.",
                   s.filter.confirm_fixes, s.filter.gate_probability,
                   s.filter.false_alarm_probability()),
-      "NEES: error of (x, y, yaw) weighed by the track's covariance, over all scans with a pose; "
-      "its mean is 3 where the covariance is honest."};
+      fmt::format(
+          "NEES: error of (x, y, yaw) weighed by the track's covariance, over all scans with "
+          "a pose; its mean is 3 where the covariance is honest. Scans of {} m share an "
+          "error: stretches tells of how many ways of that length the mean is.",
+          s.filter.shared_length_m)};
 }
 
 }  // namespace honka::eval

@@ -2,6 +2,7 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 
+#include "algo/localize/li2020/covariance.h"
 #include "algo/localize/li2020/selection.h"
 #include "algo/localize/li2020/star_pose.h"
 #include "algo/types/random.h"
@@ -170,4 +171,48 @@ TEST_CASE("residuals of a candidate") {
   c.map_m[5] = {3, 4};
   CHECK(mean_residual_m(c, Pose2{}) == Approx(5.0 / 6.0));
   CHECK(largest_residual_m(c, Pose2{}) == Approx(5.0));
+}
+
+namespace {
+
+/// Six stems on a circle about a place, as one match under a pose.
+PoseCandidate ring(const Eigen::Vector2d& middle_m, const Pose2& T_map_local) {
+  PoseCandidate c;
+  for (std::size_t j = 0; j < 6; ++j) {
+    const double angle = kPi / 3.0 * static_cast<double>(j);
+    c.local_m[j] = middle_m + 5.0 * Eigen::Vector2d(std::cos(angle), std::sin(angle));
+    c.map_m[j] = T_map_local * c.local_m[j];
+  }
+  c.T_map_local = T_map_local;
+  return c;
+}
+
+}  // namespace
+
+TEST_CASE("li2020: a ring of six stems states the covariance that stands on paper") {
+  const Pose2 T_map_local{{40.0, -7.0}, kPi / 2.0};
+  PoseCandidate c = ring({20.0, 0.0}, T_map_local);
+  // A noise of 0.3 m on each axis, as residuals show it: 6 pairs of 0.3 √2 m, 9 equations too many.
+  for (std::size_t j = 0; j < 6; ++j) c.map_m[j] += Eigen::Vector2d(j % 2 == 0 ? 0.3 : -0.3, 0.3);
+  const double variance = 6.0 * 2.0 * 0.09 / 9.0;
+  const Eigen::Matrix3d P = pose_covariance({c}, c, T_map_local, {0.0, 0.0}).value();
+  // The sensor looks along the map's y; its stems are 20 m ahead and hold the yaw over 5 m.
+  const double yaw = variance / (6.0 * 25.0);
+  CHECK(P(2, 2) == Approx(yaw));
+  CHECK(P(1, 1) == Approx(variance / 6.0));
+  CHECK(P(0, 0) == Approx(variance / 6.0 + 400.0 * yaw));
+  CHECK(std::abs(P(0, 2)) == Approx(20.0 * yaw));
+  CHECK(P == P.transpose());
+  // Twice as many matches that say the same: the noise is better known, the pose is not.
+  CHECK(pose_covariance({c, c}, c, T_map_local, {0.0, 0.0})->coeff(2, 2) ==
+        Approx(yaw * 2.0 * 9.0 / 21.0));
+}
+
+TEST_CASE("li2020: pairs that fit exactly, and stems on one spot, state no covariance") {
+  const Pose2 T_map_local{{3.0, 2.0}, 0.5};
+  const PoseCandidate exact = ring({10.0, 3.0}, {});
+  CHECK_FALSE(pose_covariance({exact}, exact, {}, {0.0, 0.0}));
+  PoseCandidate spot = ring({10.0, 3.0}, T_map_local);
+  spot.local_m.fill({10.0, 3.0});
+  CHECK_FALSE(pose_covariance({spot}, spot, T_map_local, {0.0, 0.0}));
 }

@@ -24,10 +24,11 @@ TrackFix fix_at(int scan, const Pose2& T_odom_lidar, const Pose2& T_map_local) {
   return {scan_time_s(scan), T_odom_lidar, T_map_local, std::nullopt};
 }
 
-/// No correlation, no bend: fixes as independent as the filter takes them.
+/// Nothing shared, nothing hidden, no drift: fixes as independent as the filter takes them.
 TrackingSettings independent_fixes() {
   TrackingSettings settings;
-  settings.fix_correlation_m = 0.0;
+  settings.shared_length_m = 1e-3;
+  settings.odometry.drift = 0.0;
   settings.map_sigma_m = 0.0;
   settings.map_sigma_deg = 0.0;
   return settings;
@@ -88,7 +89,7 @@ TEST_CASE("Exact fixes and exact odometry give the exact pose at every scan") {
 
 TEST_CASE("Between fixes the track is the odometry, and its covariance grows as the random walk") {
   TrackingSettings settings = independent_fixes();
-  settings.odometry = {0.1, 0.0, 0.0, 0.0, 0.0};  // 0.1 m per root metre, nothing else
+  settings.odometry = {0.1, 0.0, 0.0, 0.0, 0.0, 0.0};  // 0.1 m per root metre, nothing else
   settings.fix_sigma_deg = 1e-6;
   ExactDrive world(settings);
   world.drive(0, 21, true);
@@ -105,7 +106,7 @@ TEST_CASE("Between fixes the track is the odometry, and its covariance grows as 
 TEST_CASE("A yaw error becomes a position error over the way") {
   Belief belief;
   belief.covariance(2, 2) = 0.01 * 0.01;
-  const Belief ahead = moved(belief, {{50.0, 0.0}, 0.0}, 0.0, {0, 0, 0, 0, 0});
+  const Belief ahead = moved(belief, {{{50.0, 0.0}, 0.0}, Eigen::Matrix3d::Zero()});
   CHECK(ahead.covariance(0, 0) == Approx(0.0).margin(1e-15));
   CHECK(std::sqrt(ahead.covariance(1, 1)) == Approx(0.5));
 }
@@ -115,11 +116,16 @@ TEST_CASE("chi-square quantiles are those of the tables") {
   CHECK(chi_square_3_quantile(0.999) == Approx(16.266).epsilon(1e-4));
 }
 
-TEST_CASE("Fusing two beliefs weighs them by their covariances") {
+TEST_CASE("A fix and a track are weighed by their covariances") {
   Belief a, b;
   a.covariance = Eigen::Matrix3d::Identity() * 3.0;
   b.covariance = Eigen::Matrix3d::Identity();
   b.T_map_lidar = {{4.0, 0.0}, 0.0};
+  const auto fused = [](const Belief& track, const Belief& fix) {
+    DriftFilter filter(track, {});
+    filter.update(fix);
+    return filter.belief();
+  };
   const Belief both = fused(a, b);
   CHECK(both.T_map_lidar.translation_m.x() == Approx(3.0));
   CHECK(both.covariance(0, 0) == Approx(0.75));
@@ -250,8 +256,8 @@ TEST_CASE("After refusals in a row the whole map is asked again") {
 
 TEST_CASE("Fixes of the same stems count as one") {
   TrackingSettings settings;
-  settings.odometry = {0.0, 0.0, 0.0, 0.0, 0.0};
-  settings.fix_correlation_m = 10.0;
+  settings.odometry = {0.0, 0.0, 0.0, 0.0, 0.0, 0.0};
+  settings.shared_length_m = 10.0;
   ExactDrive world(settings);
   world.drive(0, 21, true);
   const double first = world.last.belief.covariance(0, 0);

@@ -75,3 +75,17 @@ TEST_CASE("sweeps that overlap by rounding meet without a step back in time") {
   CHECK(track.T_odom_lidar(0.1).translation().x() == Approx(0.1));
   CHECK(track.T_odom_lidar(0.15).translation().x() == Approx(0.15));
 }
+
+TEST_CASE("The planar covariance of an estimate is along the levelled axes of the lidar") {
+  OdometryEstimate estimate;
+  estimate.covariance.setZero();
+  estimate.covariance.diagonal() << 4.0, 1.0, 9.0, 0.1, 0.2, 0.3;
+  // Yaw alone: the axes turn with the lidar.
+  estimate.T_odom_end = pose_from_rpy({7.0, 8.0, 9.0}, 0.0, 0.0, 2.0);
+  const Eigen::Matrix3d level = planar_covariance(estimate);
+  CHECK(level.isApprox(Eigen::Vector3d(4.0, 1.0, 0.3).asDiagonal().toDenseMatrix()));
+  // On its side, the lidar's z lies in the plane and its y is the axis of yaw.
+  estimate.T_odom_end = pose_from_rpy({0.0, 0.0, 0.0}, kPi / 2.0, 0.0, 2.0);
+  const Eigen::Matrix3d tilted = planar_covariance(estimate);
+  CHECK(tilted.isApprox(Eigen::Vector3d(4.0, 9.0, 0.2).asDiagonal().toDenseMatrix()));
+}

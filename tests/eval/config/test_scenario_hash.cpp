@@ -23,14 +23,19 @@ std::string hash_with(const std::string& experiment, const std::string& override
 
 }  // namespace
 
-TEST_CASE("keys of map updates are in the hash of map updates alone") {
-  for (const char* experiment : {"localization", "sighting"}) {
-    CHECK(hash_with(experiment, "map_update.passes=3") == hash_with(experiment, "title=another"));
-    CHECK(hash_with(experiment, "seed=3") != hash_with(experiment, "title=another"));
+TEST_CASE("keys that one experiment reads are in its hash alone") {
+  const auto [experiment, key] =
+      GENERATE(table<std::string, std::string>({{"map_update", "map_update.passes=3"},
+                                                {"map_update", "map_update.updater.range_m=20.0"},
+                                                {"options", "options.queries=3"},
+                                                {"tracking", "tracking.lost_after=3"},
+                                                {"stem_pairs", "pairs.within_m=0.5"}}));
+  CAPTURE(experiment, key);
+  CHECK(hash_with(experiment, key) != hash_with(experiment, "title=another"));
+  for (const char* other : {"localization", "sighting"}) {
+    CHECK(hash_with(other, key) == hash_with(other, "title=another"));
+    CHECK(hash_with(other, "seed=3") != hash_with(other, "title=another"));
   }
-  CHECK(hash_with("map_update", "map_update.passes=3") != hash_with("map_update", "title=another"));
-  CHECK(hash_with("map_update", "map_update.updater.range_m=20.0") !=
-        hash_with("map_update", "title=another"));
 }
 
 }  // namespace honka::eval

@@ -58,6 +58,9 @@ TEST_CASE("A track is judged apart from the time between kidnapping and report")
   CHECK(row.false_kidnappings == 0);
   CHECK(row.odometry_rmse_m.value() == Approx(0.0).margin(1e-12));
   CHECK_FALSE(row.fix_rmse_m);
+  CHECK(row.nees_tracking.value() == Approx(1.0));
+  CHECK_FALSE(row.nees_coasting);
+  CHECK(row.stretches == 1);  // 17.9 m, 10 m share an error
 }
 
 TEST_CASE("A map of trees is asked of a source that lists them") {
@@ -66,4 +69,23 @@ TEST_CASE("A map of trees is asked of a source that lists them") {
   CHECK_FALSE(lists_trees("prior_run"));
   Scenario scenario;
   CHECK_THROWS_AS(source_map(sim::Stand{}, scenario, 1), UserError);
+}
+
+TEST_CASE("The longest coast is judged at its end, and its end is when the track says so") {
+  const TrackingDrive drive = hand_made_drive();
+  TrackedRun run = hand_made_run(drive);
+  for (std::size_t k = 30; k < 80; ++k) {
+    run.poses[k].state = TrackState::kCoasting;
+    run.poses[k].since_fix_s = 0.1 * static_cast<double>(k - 30);
+    run.poses[k].belief.covariance = Eigen::Matrix3d::Identity() * 0.01;
+  }
+  run.events.insert(run.events.begin() + 1, {8.0, TrackEvent::Kind::kRecovered, 0.1});
+  const TrackingRow row = judge_track(drive, run, Scenario(), 0);
+  CHECK(row.longest_coast_s.value() == Approx(4.9));
+  CHECK(row.coast_error_m.value() == Approx(0.3));
+  CHECK(row.coast_sigma_m.value() == Approx(0.1));
+  CHECK(row.coast_end_s.value() == Approx(8.0));
+  CHECK(row.nees_tracking.value() == Approx(1.0));
+  CHECK(row.nees_coasting.value() == Approx(9.0));
+  CHECK(row.nees_inside.value() == Approx(130.0 / 180.0));
 }
