@@ -82,6 +82,9 @@ struct LocateResult {
   /// The listed stems lie so much nearer to the sensor than those of the map, which the pose makes
   /// up for; 0 where none was certain.
   double radial_bias_m = 0.0;
+  /// (xx, yy, xy) along the sensor's axes by which the list was stretched onto the map, because it
+  /// was not levelled; 0 where none was certain.
+  Eigen::Vector3d strain = Eigen::Vector3d::Zero();
   double cost_m = 0.0;                  ///< Li2020 Eq. (4) at the pose
   int chosen = -1;                      ///< index into star_matches of the pose's match
   std::vector<StarMatch> star_matches;  ///< in the order of local triangles, for figures

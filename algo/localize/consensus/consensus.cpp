@@ -92,6 +92,7 @@ LocateResult ConsensusMatcher::locate(const std::vector<Eigen::Vector2d>& stems_
   if (!result.accepted()) return result;
   result.covariance = estimate->covariance;
   result.radial_bias_m = estimate->radial_bias_m;
+  result.strain = estimate->strain;
   return result;
 }
 

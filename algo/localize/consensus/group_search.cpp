@@ -14,6 +14,7 @@ constexpr std::size_t kWitnesses = 16;        // stems around a group that are h
 constexpr std::size_t kRefinedPerGroup = 32;  // the rest of a lattice's look-alikes are not needed
 constexpr double kDoubtless_nats = 10.0;      // beyond acceptance
 constexpr int kGroupsAfterwards = 3;          // a copy elsewhere shares most of its groups
+constexpr int kGroupsAmongAlike = 40;         // how alike a pattern's places are takes many of them
 constexpr int kGroupsOfPattern = 100;         // a frame of the map is found by far fewer
 constexpr std::size_t kHeardOfPattern = 1'000'000;  // a second; a grid without jitter fits anywhere
 
@@ -43,11 +44,10 @@ class GroupSearch {
         near_(frame.stems_m.size()) {}
 
   std::int64_t run() {
-    int afterwards = 0;
     for (const ThreeOf& three : kThreeOfSix) {
       for (std::uint32_t base = 0; base < frame_.stems_m.size(); ++base) {
         try_group(base, three);
-        if (is_beyond_doubt() && ++afterwards > kGroupsAfterwards) return tried_;
+        if (is_beyond_doubt() && ++afterwards_ > groups_afterwards()) return tried_;
         if (is_alike_for_long()) return tried_;
       }
     }
@@ -150,6 +150,13 @@ class GroupSearch {
     return holds();
   }
 
+  /// Groups that are tried after a place is beyond doubt: where chance does better than it does in
+  /// a forest, rivals of the same pattern are yet unknown.
+  [[nodiscard]] int groups_afterwards() const {
+    constexpr double kMoreThanChance_nats = 5.0;
+    return places_.rivals(kMoreThanChance_nats) > 0 ? kGroupsAmongAlike : kGroupsAfterwards;
+  }
+
   /// Whether places beyond chance look alike and none has come out on top for many groups, as in
   /// the wrong rows of a plantation: what is left to try shows more of the same.
   bool is_alike_for_long() {
@@ -175,6 +182,7 @@ class GroupSearch {
   std::vector<std::uint32_t> found_;
   std::vector<Fit> heard_;
   double twins_of_nats_ = 0.0;
+  int afterwards_ = 0;
   double best_nats_ = 0.0;
   int groups_since_better_ = 0;
   std::size_t heard_since_better_ = 0;

@@ -44,6 +44,13 @@ const Fit* PlaceList::best() const {
   return at == places_.end() ? nullptr : &*at;
 }
 
+std::size_t PlaceList::rivals(double least_nats) const {
+  const auto all = std::count_if(places_.begin(), places_.end(), [&](const Fit& place) {
+    return place.evidence_nats >= least_nats;
+  });
+  return all > 0 ? static_cast<std::size_t>(all) - 1 : 0;
+}
+
 double PlaceList::margin_nats(double beyond_chance_nats) const {
   constexpr double kLuck = 3.0;  // standard deviations of the pattern's places
   const Fit* first = best();

@@ -21,6 +21,8 @@ class PlaceList {
   /// beyond chance form a pattern (planted rows), over what the best of their
   /// kind could reach by luck.
   [[nodiscard]] double margin_nats(double beyond_chance_nats) const;
+  /// Places of so much evidence, without the best.
+  [[nodiscard]] std::size_t rivals(double least_nats) const;
   [[nodiscard]] bool empty() const { return places_.empty(); }
   [[nodiscard]] std::size_t size() const { return places_.size(); }
 

@@ -12,7 +12,7 @@ using namespace honka::eval;
 namespace {
 
 /// 100 × 120 m, five strip roads, driven twice; a list each 5 m.
-Scenario small_stand() {
+Scenario thinned_stand() {
   Scenario scenario;
   scenario.trials = 1;
   scenario.forest.width_m = 100.0;
@@ -68,7 +68,7 @@ MapUpdateWorld hand_made_world() {
 }  // namespace
 
 TEST_CASE("the machine sees what stands, from roads that are clear") {
-  const Scenario scenario = small_stand();
+  const Scenario scenario = thinned_stand();
   const MapUpdateWorld world = make_map_update_world(scenario, 0, 156.0);
   const sim::MappedForest& forest = world.forest;
   CHECK(world.T_world_sensor.size() == 2 * 5 * 24);
@@ -90,7 +90,7 @@ TEST_CASE("the machine sees what stands, from roads that are clear") {
 }
 
 TEST_CASE("two maps of one tree place it alike, so that maps differ in their trees alone") {
-  Scenario scenario = small_stand();
+  Scenario scenario = thinned_stand();
   scenario.map.sources.inventory.missed_share = 0.0;
   const MapUpdateWorld world = make_map_update_world(scenario, 0, 156.0);
   std::size_t next = 0;
@@ -101,7 +101,7 @@ TEST_CASE("two maps of one tree place it alike, so that maps differ in their tre
 }
 
 TEST_CASE("a drive brings its map up to date, and the digits do not depend on threads") {
-  const Scenario scenario = small_stand();
+  const Scenario scenario = thinned_stand();
   const MapUpdateWorld world = make_map_update_world(scenario, 0, 156.0);
   const std::vector<MapUpdateDrive> one = {driven(scenario, world, 1)};
   const std::vector<MapUpdateDrive> two = {driven(scenario, world, 2)};
@@ -191,7 +191,7 @@ TEST_CASE("answers are counted by map and part, and the table has the keys of th
   CHECK(summaries[0].success_interval.low < 0.15);  // two roads that disagree say little
   CHECK(summaries[2].part == 2);
   CHECK(summaries[2].wrong() == 1);
-  const SummaryTable json = map_update_json(summaries, small_stand());
+  const SummaryTable json = map_update_json(summaries, thinned_stand());
   for (const char* key : {"method", "frames", "stems_in_map", "success_rate", "success_interval",
                           "wrong_rate", "refused_rate", "time_ms"}) {
     CHECK(std::count(json.columns.begin(), json.columns.end(), key) == 1);
