@@ -36,7 +36,8 @@ std::vector<std::string> ask_stars(const std::string& stars, const std::string& 
 
 }  // namespace
 
-TEST_CASE("--stars space finds a tilted list with height, roll and pitch; --stars plane does not") {
+TEST_CASE(
+    "locate --stars space finds a tilted list with height, roll and pitch, and plane does not") {
   const TemporaryFolder folder;
   write_tilted_case(folder);
   const auto in_space = run_honka(ask_stars("space"), folder.path());
@@ -88,7 +89,7 @@ TEST_CASE("Heights that are missing are told by their place") {
   CHECK(run_honka(ask_stars("plane", "map.csv", "gap.csv"), folder.path()).exit_code == 0);
 }
 
-TEST_CASE("--stars is refused for other methods and words") {
+TEST_CASE("locate --stars is refused for other methods and words") {
   const TemporaryFolder folder;
   write_tilted_case(folder);
   const std::string stars = GENERATE("plane", "space");

@@ -24,6 +24,16 @@ Eigen::Matrix3d turned_covariance(const Placement& T, const Eigen::Matrix3d& cov
   return turn * covariance * turn.transpose();
 }
 
+/// Of the sensor's (x, y, yaw), yaw that of its x axis as it lies on the map.
+template <int N>
+Eigen::Matrix3d pose_covariance(const MixtureEstimate<N>& best) {
+  const auto whole = best.covariance();
+  if constexpr (N == kWithoutStrain) return whole.template topLeftCorner<3, 3>();
+  Eigen::Matrix<double, 3, N> J = Eigen::Matrix<double, 3, N>::Identity();
+  J(2, N - 1) = 1.0;  // shear turns the axis
+  return J * whole * J.transpose();
+}
+
 template <int N>
 PoseEstimate answer_of(const MixtureEstimate<N>& best) {
   PoseEstimate answer;
@@ -32,8 +42,13 @@ PoseEstimate answer_of(const MixtureEstimate<N>& best) {
   answer.false_share = best.false_share;
   answer.radial_bias_m = best.radial_bias_m;
   answer.strain = best.strain;
-  answer.covariance =
-      turned_covariance(best.T_map_sensor, best.covariance().template topLeftCorner<3, 3>());
+  answer.covariance = turned_covariance(best.T_map_sensor, pose_covariance(best));
+  if constexpr (N == kWithStrain) {
+    const Eigen::Vector2d x_axis =
+        best.T_map_sensor.turned({1.0 + best.strain(0), best.strain(2)}).normalized();
+    answer.T_map_sensor.cosine = x_axis.x();
+    answer.T_map_sensor.sine = x_axis.y();
+  }
   return answer;
 }
 

@@ -10,7 +10,7 @@ namespace honka {
 
 /// The pose of an answer and what is known of its error.
 struct PoseEstimate {
-  Placement T_map_sensor;      ///< in the index's coordinates
+  Placement T_map_sensor;      ///< in the index's coordinates; yaw is that of the sensor's x axis
   double sigma_m = 0.0;        ///< of seen against mapped stems on each axis
   double false_share = 0.0;    ///< of the local stems
   double radial_bias_m = 0.0;  ///< local stems lie so much too near to the sensor; 0: none certain
