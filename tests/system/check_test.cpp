@@ -109,7 +109,7 @@ TEST_CASE(
   CHECK_THAT(outside.out, Catch::Contains("The first"));
 }
 
-TEST_CASE("check: without results the line says how to make them; --run makes them") {
+TEST_CASE("check: without results the line says how to make them, --run makes them") {
   const TemporaryFolder folder;
   accept_lists(folder);
   std::filesystem::remove_all(folder / "results/own");

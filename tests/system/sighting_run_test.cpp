@@ -36,7 +36,7 @@ void write_scenario(const TemporaryFolder& folder, const std::string& name,
 
 }  // namespace
 
-TEST_CASE("a run on lists leaves tables, figures and a report; threads do not change its digest") {
+TEST_CASE("a run on lists leaves tables, figures and a report, threads do not change its digest") {
   const TemporaryFolder folder;
   write_scenario(folder, "lists.toml", kTinyLists);
   for (const char* threads : {"1", "2"}) {

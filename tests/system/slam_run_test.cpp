@@ -76,7 +76,7 @@ TEST_CASE("honka run of the SLAM experiment leaves Table 1, tracks that evaluate
         Approx(runs.doubles("ate_m")[8]).epsilon(1e-9));
 }
 
-TEST_CASE("the methods stand in one table; a study or a trial that is not there is refused") {
+TEST_CASE("the methods stand in one table, a study or a trial that is not there is refused") {
   const TemporaryFolder folder;
   write_raw(folder / "tiny.toml", slam_scenario());
   const auto outcome =

@@ -65,7 +65,7 @@ void write_lines(const fs::path& file, const Words& lines) {
 
 }  // namespace
 
-TEST_CASE("slam: each method writes a trajectory, stems and a summary; the better is better") {
+TEST_CASE("slam: each method writes a trajectory, stems and a summary, the better is better") {
   const TemporaryFolder folder;
   std::map<std::string, double> error_m;
   for (const std::string method : {"chain", "paper", "interpolate", "pose_graph", "landmark_ba"}) {
@@ -88,7 +88,7 @@ TEST_CASE("slam: each method writes a trajectory, stems and a summary; the bette
   CHECK(error_m["landmark_ba"] < 0.03);
 }
 
-TEST_CASE("slam: without a chain one is made; twice the same input gives the same files") {
+TEST_CASE("slam: without a chain one is made, twice the same input gives the same files") {
   const TemporaryFolder folder;
   const Json summary = slam(folder.path(), {}, "one");
   CHECK(summary["method"] == "landmark_ba");

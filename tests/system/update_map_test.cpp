@@ -117,7 +117,7 @@ TEST_CASE("update-map writes what stands, keeps the columns of rows that stay, a
   for (const std::string& row : rows) CHECK(text.find(row + "\n") != std::string::npos);
 }
 
-TEST_CASE("update-map by li2020, and in plain words; refused lists change nothing") {
+TEST_CASE("update-map by li2020, and in plain words, refused lists change nothing") {
   const TemporaryFolder folder;
   const FelledPlot plot(folder);
   const Outcome by_li = update_map(folder, plot, {"--out", "new.csv", "--method", "li2020"});

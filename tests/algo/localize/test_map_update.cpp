@@ -199,7 +199,7 @@ TEST_CASE("Two stems within the gate of one are two") {
   CHECK((update.stems_in_map_m[4] - Eigen::Vector2d(10.4, 0.0)).norm() < 1e-9);
 }
 
-TEST_CASE("A view whose pose is wrong is left out; one a little off is fitted to the map") {
+TEST_CASE("A view whose pose is wrong is left out, one a little off is fitted to the map") {
   const ThinnedStand stand;
   MapUpdater updater(stand.standing, {});
   const Pose2 truth = update_pose(20);

@@ -79,7 +79,7 @@ TEST_CASE("a mirrored star is no match") {
   CHECK_FALSE(compare_stars(plain_star(), mirrored, 4.5, 3));
 }
 
-TEST_CASE("the tolerance holds for the centre and each neighbour apart; the total is their sum") {
+TEST_CASE("the tolerance holds for the centre and each neighbour apart, the total is their sum") {
   const TriangleStar star = plain_star();
   TriangleStar other = star;
   other.area_m2[0] += 1.0;

@@ -210,7 +210,7 @@ TEST_CASE("A kidnapping is seen at the third fix that agrees, and the track goes
   CHECK(distance_m(world.last.belief.T_map_lidar, T_map_world * curve_pose(124)) < 1e-9);
 }
 
-TEST_CASE("Fixes that agree with nothing lose the track; later ones that agree recover it") {
+TEST_CASE("Fixes that agree with nothing lose the track, later ones that agree recover it") {
   TrackingSettings settings;
   ExactDrive world(settings);
   world.drive(0, 100, true);

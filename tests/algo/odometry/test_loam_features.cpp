@@ -48,7 +48,7 @@ TEST_CASE("loam: curvature is zero on a line and known at its corner") {
   CHECK(curvature_at(Ring(1), 0) == 0.0);
 }
 
-TEST_CASE("loam: a lost shot does not end a run; a step or a hole does") {
+TEST_CASE("loam: a lost shot does not end a run, a step or a hole does") {
   Ring ring = wall_ring(30, 0.05);
   CHECK(runs_of(ring, 0.3, 0, 29).size() == 1);
   ring.erase(ring.begin() + 15);

@@ -192,7 +192,7 @@ TEST_CASE("loam: weights count as that many points, and order does not matter") 
   CHECK(a->variance_m2 == Approx(b->variance_m2).margin(1e-12));
 }
 
-TEST_CASE("loam: the map is bounded; the farthest go first; what is no number is ignored") {
+TEST_CASE("loam: the map is bounded, the farthest go first, what is no number is ignored") {
   FeatureMap map(0.5, 1.0, 5, 1000);
   const auto empty_bytes = map.bytes();
   for (int x = 0; x < 200; ++x) {

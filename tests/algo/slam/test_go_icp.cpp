@@ -151,7 +151,7 @@ TEST_CASE("The sizes of Table 3 come from two formulas") {
   CHECK(search_size_of_box(3.7, 1.9, 60.0) < 1.2e6);
 }
 
-TEST_CASE("Finer leaves are more leaves; leaves of L0 are few", "[granularity]") {
+TEST_CASE("Finer leaves are more leaves, leaves of L0 are few", "[granularity]") {
   const auto pair = test::pair_of_views(0, 0.07);
   std::int64_t before = 0;
   for (const double leaf_m : {3.0, 1.75, 0.8}) {

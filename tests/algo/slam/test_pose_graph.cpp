@@ -74,7 +74,7 @@ TEST_CASE("pose graph: a bad step gives way where a match says otherwise") {
   CHECK(aligned_error_m(knowing.T_first_frame, world.T_first_frame) < 0.02);
 }
 
-TEST_CASE("pose graph: edges that name no pose or hold NaN are left out; few poses are no graph") {
+TEST_CASE("pose graph: edges that name no pose or hold NaN are left out, few poses are no graph") {
   const MethodsWorld world = methods_world(20);
   auto edges = graph_edges(world.T_first_frame, true_matches(world.T_first_frame, 10));
   const auto clean = optimize_pose_graph(world.T_first_frame, edges, {});

@@ -157,7 +157,7 @@ TEST_CASE("quality: clusters known on paper") {
   }
 }
 
-TEST_CASE("quality: shares of frames sum to the map's squared error; the worst goes") {
+TEST_CASE("quality: shares of frames sum to the map's squared error, the worst goes") {
   RandomStream random(5, "quality_frames");
   std::vector<SparseFrame> frames(20);
   FramePoses poses(20, Pose3::Identity());

@@ -84,7 +84,7 @@ TEST_CASE("slam methods: a bent chain is straightened by each method beyond the 
   }
 }
 
-TEST_CASE("slam methods: without a chain one is made; a chain that starts elsewhere is moved") {
+TEST_CASE("slam methods: without a chain one is made, a chain that starts elsewhere is moved") {
   const MethodsWorld world = methods_world(40, 0.02);
   const Pose3 elsewhere = pose_from_rpy({500.0, -20.0, 3.0}, 0.1, 0.0, 2.0);
   FramePoses moved_chain;

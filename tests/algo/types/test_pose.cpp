@@ -11,7 +11,7 @@ TEST_CASE("degrees and radians") {
   CHECK(rad_to_deg(deg_to_rad(37.5)) == Approx(37.5));
 }
 
-TEST_CASE("wrap_to_pi: the same direction in (−π, π]") {
+TEST_CASE("wrap_to_pi: the same direction beyond −π, up to π") {
   CHECK(wrap_to_pi(0.0) == 0.0);
   CHECK(wrap_to_pi(kPi) == Approx(kPi));
   CHECK(wrap_to_pi(-kPi) == Approx(kPi));

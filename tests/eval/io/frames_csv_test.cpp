@@ -43,7 +43,7 @@ TEST_CASE("frames csv: columns in any order, both names, other columns, frames o
   CHECK(frames[1].points_m[1] == Eigen::Vector3d(10.0, -8.0, 1.0));
 }
 
-TEST_CASE("frames csv: gzipped is the same as plain; the shared part has its 120 frames") {
+TEST_CASE("frames csv: gzipped is the same as plain, the shared part has its 120 frames") {
   const TemporaryFolder folder;
   const fs::path packed = kFrameCases / "case0_first_frames.csv.gz";
   const auto one = read_frames_csv(packed);

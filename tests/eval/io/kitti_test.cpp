@@ -20,7 +20,7 @@ TEST_CASE("KITTI: goes round bit for bit") {
   for (std::size_t i = 0; i < poses.size(); ++i) CHECK(back[i].matrix() == poses[i].matrix());
 }
 
-TEST_CASE("KITTI: the order is by rows; rounded matrices become rotations") {
+TEST_CASE("KITTI: the order is by rows, rounded matrices become rotations") {
   const TemporaryFolder folder;
   write_raw(folder / "a.txt",
             "0 -1 0 5\t1 0 0 6  0 0 1 7\r\n# note\n"

@@ -32,7 +32,7 @@ TEST_CASE("changed stem CSV: rows that stay keep every column, comment and digit
 }
 
 TEST_CASE(
-    "changed stem CSV: unchanged text is the same text; a last line without an end gets one") {
+    "changed stem CSV: unchanged text is the same text, a last line without an end gets one") {
   const TemporaryFolder folder;
   const std::string text = "x_m,y_m\r\n1,2\r\n3,4";
   write_raw(folder / "map.csv", text);

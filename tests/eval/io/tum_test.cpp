@@ -24,7 +24,7 @@ TEST_CASE("TUM: goes round at full precision") {
   }
 }
 
-TEST_CASE("TUM: tabs, CRLF, comments; bad input with line and column") {
+TEST_CASE("TUM: tabs, CRLF, comments, bad input with line and column") {
   const TemporaryFolder folder;
   const std::string path = (folder / "a.tum").string();
   write_raw(path, "# ground truth\r\n1\t2  3 4 0 0 0 1\r\n");

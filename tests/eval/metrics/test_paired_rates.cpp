@@ -21,7 +21,7 @@ TEST_CASE("methods that never differ have an interval about zero that is no poin
   CHECK_FALSE(paired_rate_interval({}));
 }
 
-TEST_CASE("swapping the methods mirrors the interval; dependent trials widen it") {
+TEST_CASE("swapping the methods mirrors the interval, dependent trials widen it") {
   const auto ab = paired_rate_interval({60, 25, 5, 10});
   const auto ba = paired_rate_interval({60, 5, 25, 10});
   CHECK(ab->low == Approx(-ba->high));

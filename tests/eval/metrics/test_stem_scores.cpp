@@ -49,7 +49,7 @@ TEST_CASE("position bias splits into towards and across the ray") {
   CHECK(*scores.position_rmse_m == Approx(std::sqrt(0.0104)));
 }
 
-TEST_CASE("DBH is scored where both are known; ranges may be given") {
+TEST_CASE("DBH is scored where both are known, ranges may be given") {
   StemSet truth, found;
   truth.positions_m = {{10.0, 0.0}, {0.0, 10.0}, {-10.0, 0.0}};
   truth.dbh_m = {0.20, 0.30, std::nullopt};

@@ -159,7 +159,7 @@ TEST_CASE("more freedom fits no worse, and alignment forgets what moved the esti
   CHECK(rmse_m(aligned(moved(pairs, {4.0, T}), Alignment::kSim3)) == Approx(sim3).epsilon(1e-9));
 }
 
-TEST_CASE("a straight path leaves the turn about it open; in plan it has a heading") {
+TEST_CASE("a straight path leaves the turn about it open, in plan it has a heading") {
   for (const Eigen::Vector3d& direction :
        {Eigen::Vector3d(1, 0, 0), Eigen::Vector3d(0.3, -0.2, 0.05), Eigen::Vector3d(1e-3, 0, 0)}) {
     const PosePairs pairs = straight(direction);

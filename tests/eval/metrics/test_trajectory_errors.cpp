@@ -67,7 +67,7 @@ TEST_CASE("absolute errors are the distance and the angle put in") {
   check_same({absolute_errors(pairs).translation_m[1]}, {0.5}, 1e-12);
 }
 
-TEST_CASE("motions over time begin in every pose; the last and the unpaired are no end") {
+TEST_CASE("motions over time begin in every pose, the last and the unpaired are no end") {
   PosePairs pairs = along_x({0, 1, 2, 3, 4, 5}, {0, 1, 2, 3, 4, 5});
   CHECK(motions(pairs, over(2, DeltaUnit::kSeconds)) == Motions{{0, 2}, {1, 3}, {2, 4}});
   CHECK(motions(pairs, over(2, DeltaUnit::kSeconds, true)) == Motions{{0, 2}, {1, 3}, {2, 4}});

@@ -76,7 +76,7 @@ TEST_CASE("report: the paper's figure, ours, and the difference with its sign") 
   CHECK(compared(2.0, {}, 1) == ReportCell{"2.0", "", ""});
 }
 
-TEST_CASE("summary: goes round in full precision; NaN is null") {
+TEST_CASE("summary: goes round in full precision, NaN is null") {
   const FigureFolder folder;
   const auto path = folder.root() / "summary.json";
   const Summary summary = some_summary();
@@ -118,7 +118,7 @@ TEST_CASE("summary: bad files give one line that names them") {
   CHECK(error_of(path).find("use a newer honka") != std::string::npos);
 }
 
-TEST_CASE("HTML report: escaped, offline, complete; made again from the summary") {
+TEST_CASE("HTML report: escaped, offline, complete, made again from the summary") {
   const FigureFolder folder;
   write_file_safely(folder.path() / "dot.svg", "<svg xmlns='http://www.w3.org/2000/svg'/>");
   write_summary(folder.root() / "summary.json", some_summary());

@@ -63,7 +63,7 @@ TEST_CASE("every key frame comes once, in order, with the sweeps that it names")
   }
 }
 
-TEST_CASE("the odometry's frame is laid onto the world; truth and noise stand there already") {
+TEST_CASE("the odometry's frame is laid onto the world, truth and noise stand there already") {
   const std::string odometry = GENERATE("truth+noise", "loam", "stems");
   const Scenario scenario = small_scenario(odometry);
   const TrialWorld world = make_trial_world(scenario, 0);

@@ -62,7 +62,7 @@ TEST_CASE("the paper's rows are those of its Table 1") {
   CHECK_FALSE(paper_row(2));
 }
 
-TEST_CASE("the table of the paper shows paper, ours and n of N; other rows stand alone") {
+TEST_CASE("the table of the paper shows paper, ours and n of N, other rows stand alone") {
   LocalizationSummary known, unknown;
   known.variant = unknown.variant = "default";
   known.map = unknown.map = "prior_run";

@@ -130,7 +130,7 @@ TEST_CASE("a narrow link carries what it can") {
   }
 }
 
-TEST_CASE("the map at true poses has no error; a bent one has") {
+TEST_CASE("the map at true poses has no error, a bent one has") {
   const SlamDrive drive = straight_drive(80);
   const StemMap3 stems = build_stem_map(drive.frames, drive.true_T_first_frame, {});
   const auto judge = [&](const FramePoses& poses) {

@@ -54,7 +54,7 @@ TEST_CASE("sweeps of one key frame count a stem once, key frames count it again"
   CHECK(statistics.hits_per_stem(2) == 3.0);
 }
 
-TEST_CASE("bins are closed below and open above; stems beyond the last count in none") {
+TEST_CASE("bins are closed below and open above, stems beyond the last count in none") {
   ScanStatistics statistics;
   const std::vector one = {
       sweep_of({stem(1, 10.0F), stem(2, 30.0F), stem(3, 46.9F), stem(4, 47.0F)})};

@@ -117,7 +117,7 @@ TEST_CASE("the table has the keys of the interfaces, and a value for each") {
   CHECK(json.rows[0].at("index_bytes").is_null());
 }
 
-TEST_CASE("cases with equal maps share the forest; a felled tree is in no list") {
+TEST_CASE("cases with equal maps share the forest, a felled tree is in no list") {
   Scenario scenario = sighting_scenario();
   scenario.sighting.cases.felled_share = {0.0, 0.5};
   const auto cases = sighting_cases(scenario.sighting);

@@ -83,7 +83,7 @@ TEST_CASE("errors are compared over the trials that both methods have") {
         0);
 }
 
-TEST_CASE("failed trials stay in the comparison; all failed compare nothing but zeros") {
+TEST_CASE("failed trials stay in the comparison, all failed compare nothing but zeros") {
   const Study study = hand_study(4, 4);
   std::vector<TrialRecord> records;
   for (std::int64_t trial = 0; trial < 4; ++trial) {

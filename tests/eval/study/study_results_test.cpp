@@ -146,7 +146,7 @@ TEST_CASE("studies of two and three axes, of words and of lists are drawn") {
 }
 
 TEST_CASE(
-    "no success, one trial and nothing but failures are results too; what is not there is null") {
+    "no success, one trial and nothing but failures are results too, what is not there is null") {
   const auto written = [](const Study& study, const std::vector<TrialRecord>& records) {
     const TemporaryFolder folder;
     (void)write_study_results(study, study_table(study, records), Context(1, 1), folder.path(), "");

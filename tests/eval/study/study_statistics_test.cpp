@@ -32,7 +32,7 @@ Table four_trials(const Study& study) {
 
 }  // namespace
 
-TEST_CASE("figures of a point by hand; a failed trial counts as 0 and has no error") {
+TEST_CASE("figures of a point by hand, a failed trial counts as 0 and has no error") {
   const Study study = hand_study(4, 4);
   const StudySummary summary = summarize_study(study, four_trials(study));
   REQUIRE(summary.cells.size() == 2);
@@ -56,7 +56,7 @@ TEST_CASE("figures of a point by hand; a failed trial counts as 0 and has no err
   CHECK(*summary.costs[0].resident_mb == 50.0);
 }
 
-TEST_CASE("worlds that differ widen the interval of a rate; equal ones leave Wilson's") {
+TEST_CASE("worlds that differ widen the interval of a rate, equal ones leave Wilson's") {
   // Trial t is in world t mod 2: 2 of 10 right in world 0, 6 of 10 in world 1.
   std::vector<int> apart(20, 0);
   for (const std::size_t trial : {0, 2, 1, 3, 5, 7, 9, 11}) apart[trial] = 1;

@@ -62,7 +62,7 @@ TEST_CASE("what a study cannot be made of is refused with its place") {
              Catch::Contains("take them out of [study.vary]"));
 }
 
-TEST_CASE("how many trials a study has is not part of what it is; all that acts on them is") {
+TEST_CASE("how many trials a study has is not part of what it is, all that acts on them is") {
   const TemporaryFolder folder;
   const Study study = fake_study(folder, 10);
   CHECK(fake_study(folder, 20).identity == study.identity);

@@ -111,7 +111,7 @@ TEST_CASE("the same seed drives the same way, another seed another") {
   CHECK(a.trajectory().duration_s() != c.trajectory().duration_s());
 }
 
-TEST_CASE("crane and tree ride in the lidar frame; the tree only while it is processed") {
+TEST_CASE("crane and tree ride in the lidar frame, the tree only while it is processed") {
   VehicleSettings settings = stiff(true);
   const Vehicle vehicle({{0, 0}, {30, 0}}, plane({0, 0}), settings, 4);
   for (const Phase& phase : vehicle.plan().phases()) {

@@ -64,7 +64,7 @@ TEST_CASE("A perfect list holds the feet of the trees within range along the gro
   }
 }
 
-TEST_CASE("Heights have their noise; on level ground the rest is the plan's list") {
+TEST_CASE("Heights have their noise, on level ground the rest is the plan's list") {
   const MappedForest forest = slope_forest();
   const SlopedForest level(forest, 0.0);
   SightingSettings settings;
