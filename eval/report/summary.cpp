@@ -126,6 +126,15 @@ void write_summary(const std::filesystem::path& path, const Summary& summary) {
   write_file_safely(path, summary_json(summary).dump(2) + "\n");
 }
 
+Metric rate_metric(std::int64_t n, std::int64_t of, const Interval& interval) {
+  Metric metric;
+  if (of > 0) metric.value = static_cast<double>(n) / static_cast<double>(of);
+  metric.n = n;
+  metric.of = of;
+  metric.interval = {interval.low, interval.high};
+  return metric;
+}
+
 Summary read_summary(const std::filesystem::path& path) {
   const std::string text = read_text_file(path);
   try {

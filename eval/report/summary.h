@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "eval/metrics/statistics.h"
 #include "eval/report/report_model.h"
 
 namespace honka::eval {
@@ -35,6 +36,9 @@ struct Metric {
   std::optional<std::array<double, 2>> interval;
   std::optional<double> floor;  ///< the best that can be had (a bound), where known
 };
+
+/// The share that n of so many are.
+[[nodiscard]] Metric rate_metric(std::int64_t n, std::int64_t of, const Interval& interval);
 
 /// summary.json: keys as in the format's description, in full double precision.
 struct Summary {

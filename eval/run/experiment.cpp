@@ -82,4 +82,14 @@ const Experiment& find_experiment(const ResolvedScenario& resolved) {
       near.empty() ? "" : fmt::format("; did you mean \"{}\"?", near), fmt::join(names, ", ")));
 }
 
+TrialRange trials_of(const RunRequest& request) {
+  const std::int64_t trials = request.resolved.scenario.trials;
+  const std::int64_t first = request.trial.value_or(0);
+  if (first >= trials) {
+    throw UserError(fmt::format("--trial {}: {} has the trials 0 to {}", first,
+                                request.resolved.file.string(), trials - 1));
+  }
+  return {first, request.trial ? first + 1 : trials};
+}
+
 }  // namespace honka::eval

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -17,6 +18,14 @@ struct RunRequest {
   std::filesystem::path out;          ///< folder of the results
   std::string command;                ///< as typed, for the report
 };
+
+/// Trials [first, end).
+struct TrialRange {
+  std::int64_t first = 0, end = 0;
+};
+
+/// All trials of the scenario, or the one of --trial. UserError where there is no such trial.
+[[nodiscard]] TrialRange trials_of(const RunRequest& request);
 
 /// What a run tells its user at the end.
 struct RunOutcome {

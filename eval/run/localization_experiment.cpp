@@ -25,18 +25,10 @@ struct Results {
   std::vector<ReportFigure> figures;
 };
 
-void check_trial(const RunRequest& request) {
-  const std::int64_t trials = request.resolved.scenario.trials;
-  if (request.trial.value_or(0) < trials) return;
-  throw UserError(fmt::format("--trial {}: {} has the trials 0 to {}", *request.trial,
-                              request.resolved.file.string(), trials - 1));
-}
-
 /// Every asked trial, one after the other; the threads work within each.
 Results run_trials(const RunRequest& request, const std::filesystem::path& folder) {
   const Scenario& scenario = request.resolved.scenario;
-  const std::int64_t first = request.trial.value_or(0);
-  const std::int64_t end = request.trial ? first + 1 : scenario.trials;
+  const auto [first, end] = trials_of(request);
   Results results;
   for (std::int64_t trial = first; trial < end; ++trial) {
     LocalizationTrial done =
@@ -103,20 +95,11 @@ ReportModel make_report(const RunRequest& request, const Results& results,
   return report;
 }
 
-Metric rate_metric(const LocalizationSummary& s) {
-  Metric metric;
-  metric.value = s.success_rate();
-  metric.n = s.successes;
-  metric.of = s.windows;
-  metric.interval = {s.success_interval.low, s.success_interval.high};
-  return metric;
-}
-
 }  // namespace
 
 RunOutcome run_localization_experiment(const RunRequest& request) {
   const Scenario& scenario = request.resolved.scenario;
-  check_trial(request);
+  static_cast<void>(trials_of(request));  // before anything is written
   const Context context(request.threads, scenario.seed);
   OutputFolder folder(request.out);
   const auto figures = folder.path() / "figures";
@@ -141,7 +124,8 @@ RunOutcome run_localization_experiment(const RunRequest& request) {
     summary.tables[table_name_of(request.resolved)] = matcher_comparison_json(summaries, scenario);
   }
   for (const LocalizationSummary& s : summaries) {
-    summary.metrics[fmt::format("success_{}_c{}", s.variant, s.frames)] = rate_metric(s);
+    summary.metrics[fmt::format("success_{}_c{}", s.variant, s.frames)] =
+        rate_metric(s.successes, s.windows, s.success_interval);
   }
   summary.report = make_report(request, results, summaries, detection);
   write_summary(folder.path() / "summary.json", summary);

@@ -27,20 +27,6 @@ struct OdometryResults {
   std::vector<ReportFigure> figures;
 };
 
-struct TrialSpan {
-  std::int64_t first = 0, end = 0;
-};
-
-TrialSpan asked_trials(const RunRequest& request) {
-  const std::int64_t trials = request.resolved.scenario.trials;
-  const std::int64_t first = request.trial.value_or(0);
-  if (first >= trials) {
-    throw UserError(fmt::format("--trial {}: {} has the trials 0 to {}", first,
-                                request.resolved.file.string(), trials - 1));
-  }
-  return {first, request.trial ? first + 1 : trials};
-}
-
 std::vector<NamedStand> asked_stands(const RunRequest& request) {
   auto stands = stands_of(request.resolved.scenario);
   if (stands.empty()) {
@@ -79,7 +65,7 @@ void collect_run(OdometryResults& results, const OdometryRun& run) {
   }
 }
 
-OdometryResults drive_stands(const RunRequest& request, TrialSpan trials,
+OdometryResults drive_stands(const RunRequest& request, TrialRange trials,
                              const std::vector<NamedStand>& stands,
                              const std::filesystem::path& folder) {
   OdometryResults results;
@@ -147,7 +133,7 @@ std::map<std::string, Metric> odometry_metrics(const std::vector<OdometryScores>
 RunOutcome run_odometry_experiment(const RunRequest& request) {
   const Scenario& scenario = request.resolved.scenario;
   const auto stands = asked_stands(request);
-  const TrialSpan trials = asked_trials(request);
+  const TrialRange trials = trials_of(request);
   const Context context(request.threads, scenario.seed);
   OutputFolder folder(request.out);
   const OdometryResults results = drive_stands(request, trials, stands, folder.path());

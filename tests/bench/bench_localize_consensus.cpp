@@ -18,8 +18,8 @@ constexpr double kDensity_per_m2 = 0.0367;
 constexpr std::uint64_t kFrames = 64;
 
 /// A lattice jittered so far that no order is left, at the paper's density.
-StemList district(std::int64_t n) {
-  RandomStream stream(1, "bench_district");
+StemList district(std::int64_t n, std::uint64_t seed = 1) {
+  RandomStream stream(seed, "bench_district");
   const double spacing_m = 1.0 / std::sqrt(kDensity_per_m2);
   const auto side = static_cast<std::int64_t>(std::ceil(std::sqrt(static_cast<double>(n))));
   StemList stems;
@@ -61,8 +61,9 @@ std::vector<StemList> frames_of(const StemList& map) {
   return frames;
 }
 
-void run_frames(benchmark::State& state, const Matcher& matcher, const StemList& map) {
-  const auto frames = frames_of(map);
+/// `seen`: the map of the forest that the frames are of.
+void run_frames(benchmark::State& state, const Matcher& matcher, const StemList& seen) {
+  const auto frames = frames_of(seen);
   std::size_t next = 0;
   double accepted = 0.0;
   double asked = 0.0;
@@ -95,6 +96,13 @@ BENCHMARK(consensus_match)
     ->Arg(100000)
     ->Arg(1000000)
     ->Unit(benchmark::kMillisecond);
+
+/// Frames of another forest: all of the search, for nothing.
+void consensus_refuse(benchmark::State& state) {
+  const StemList map = district(state.range(0));
+  run_frames(state, ConsensusMatcher(std::make_shared<ConsensusIndex>(map), {}), district(2200, 2));
+}
+BENCHMARK(consensus_refuse)->Arg(2200)->Arg(22000)->Arg(100000)->Unit(benchmark::kMillisecond);
 
 void li2020_match_beside(benchmark::State& state) {
   const StemList map = district(state.range(0));

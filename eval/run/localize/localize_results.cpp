@@ -1,23 +1,10 @@
 #include "eval/run/localize/localize_results.h"
 
-#include <fmt/format.h>
-
-#include "algo/types/user_error.h"
 #include "eval/report/console_table.h"
 #include "eval/report/html_report.h"
 #include "eval/run/scenario_json.h"
 
 namespace honka::eval {
-
-TrialRange trials_of(const RunRequest& request) {
-  const std::int64_t trials = request.resolved.scenario.trials;
-  const std::int64_t first = request.trial.value_or(0);
-  if (first >= trials) {
-    throw UserError(fmt::format("--trial {}: {} has the trials 0 to {}", first,
-                                request.resolved.file.string(), trials - 1));
-  }
-  return {first, request.trial ? first + 1 : trials};
-}
 
 RunOutcome write_localize_results(const RunRequest& request, const Context& context,
                                   OutputFolder& folder, LocalizeResults results) {

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <cstdint>
 #include <map>
 #include <string>
 #include <vector>
@@ -12,14 +11,6 @@
 #include "eval/run/experiment.h"
 
 namespace honka::eval {
-
-/// Trials [first, end).
-struct TrialRange {
-  std::int64_t first = 0, end = 0;
-};
-
-/// All trials of the scenario, or the one of --trial. UserError where there is no such trial.
-[[nodiscard]] TrialRange trials_of(const RunRequest& request);
 
 /// What an experiment on stem lists hands to its writer.
 struct LocalizeResults {

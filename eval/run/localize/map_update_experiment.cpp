@@ -67,15 +67,6 @@ MapUpdateResults drive_all(const RunRequest& request) {
   return results;
 }
 
-Metric success_metric(const MapUpdateSummary& s) {
-  Metric metric;
-  metric.value = s.share(s.successes);
-  metric.n = s.successes;
-  metric.of = s.queries;
-  metric.interval = {s.success_interval.low, s.success_interval.high};
-  return metric;
-}
-
 }  // namespace
 
 RunOutcome run_map_update_experiment(const RunRequest& request) {
@@ -97,7 +88,8 @@ RunOutcome run_map_update_experiment(const RunRequest& request) {
   for (const MapUpdateSummary& s : answers) {
     if (s.part != 0) continue;
     results.metrics[fmt::format("success of {}, {}, {}/ha", s.method, s.map_name(),
-                                s.thinned_to_per_ha)] = success_metric(s);
+                                s.thinned_to_per_ha)] =
+        rate_metric(s.successes, s.queries, s.success_interval);
   }
   results.report_tables = {map_update_table(answers, scenario), map_quality_table(maps, scenario)};
   const auto figures = folder.path() / "figures";

@@ -44,15 +44,6 @@ SightingResults run_cases(const RunRequest& request, const std::vector<SightingC
   return results;
 }
 
-Metric success_metric(const SightingSummary& s) {
-  Metric metric;
-  metric.value = s.share(s.successes);
-  metric.n = s.successes;
-  metric.of = s.queries;
-  metric.interval = {s.success_interval.low, s.success_interval.high};
-  return metric;
-}
-
 }  // namespace
 
 RunOutcome run_sighting_experiment(const RunRequest& request) {
@@ -73,7 +64,8 @@ RunOutcome run_sighting_experiment(const RunRequest& request) {
   results.frames = std::move(lists);
   results.tables[table_name_of(request.resolved)] = sighting_json(summaries, scenario);
   for (const SightingSummary& s : summaries) {
-    results.metrics[fmt::format("success of {}, {}", s.method, s.name)] = success_metric(s);
+    results.metrics[fmt::format("success of {}, {}", s.method, s.name)] =
+        rate_metric(s.successes, s.queries, s.success_interval);
   }
   results.report_tables = {sighting_report_table(summaries, scenario, "Found, refused and wrong"),
                            sighting_cost_table(summaries)};

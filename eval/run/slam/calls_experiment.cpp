@@ -83,7 +83,7 @@ void add_ways(CallsStudy& study, const SlamDrive& drive, const LoopCalls& calls,
 CallsStudy study_calls(const RunRequest& request) {
   CallsStudy study;
   const Scenario& scenario = request.resolved.scenario;
-  const ImprovementTrials trials = improvement_trials(request);
+  const TrialRange trials = trials_of(request);
   for (std::int64_t trial = trials.first; trial < trials.end; ++trial) {
     const ImprovementStart start = improvement_start(request, trial);
     Progress progress(fmt::format("trial {}, loop", trial), "stages", 2);

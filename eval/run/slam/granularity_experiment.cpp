@@ -71,7 +71,7 @@ std::vector<RegistrationTask> granularity_tasks(const SlamDrive& drive, std::int
 
 std::vector<RegistrationSummary> run_granularities(const RunRequest& request) {
   std::vector<RegistrationSummary> summaries;
-  const ImprovementTrials trials = improvement_trials(request);
+  const TrialRange trials = trials_of(request);
   for (std::int64_t trial = trials.first; trial < trials.end; ++trial) {
     const Scenario& scenario = request.resolved.scenario;
     const SlamDrive drive =

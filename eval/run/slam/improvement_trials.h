@@ -8,13 +8,6 @@
 
 namespace honka::eval {
 
-/// The trials that a request asks for: first, and one past the last. UserError for a --trial that
-/// the scenario does not have.
-struct ImprovementTrials {
-  std::int64_t first = 0, end = 0;
-};
-[[nodiscard]] ImprovementTrials improvement_trials(const RunRequest& request);
-
 /// A drive, and the chain of its key frames that the loop starts from.
 struct ImprovementStart {
   SlamDrive drive;

@@ -37,12 +37,7 @@ void check_methods(const RunRequest& request) {
 
 std::vector<LinkTrial> run_link_trials(const RunRequest& request) {
   const Scenario& scenario = request.resolved.scenario;
-  const std::int64_t first = request.trial.value_or(0);
-  if (first >= scenario.trials) {
-    throw UserError(fmt::format("--trial {}: {} has the trials 0 to {}", first,
-                                request.resolved.file.string(), scenario.trials - 1));
-  }
-  const std::int64_t end = request.trial ? first + 1 : scenario.trials;
+  const auto [first, end] = trials_of(request);
   std::vector<LinkTrial> trials;
   for (std::int64_t trial = first; trial < end; ++trial) {
     const std::string what = fmt::format("trial {} ({} to {})", trial, first, end - 1);

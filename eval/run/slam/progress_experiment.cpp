@@ -20,7 +20,7 @@ namespace {
 
 std::vector<ProgressTrack> record_tracks(const RunRequest& request) {
   std::vector<ProgressTrack> tracks;
-  const ImprovementTrials trials = improvement_trials(request);
+  const TrialRange trials = trials_of(request);
   for (std::int64_t trial = trials.first; trial < trials.end; ++trial) {
     const ImprovementStart start = improvement_start(request, trial);
     const std::vector<std::string>& sides = update_side_names();

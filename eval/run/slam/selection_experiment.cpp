@@ -16,7 +16,7 @@ namespace {
 
 std::vector<SelectionCase> select_pairs(const RunRequest& request) {
   std::vector<SelectionCase> cases;
-  const ImprovementTrials trials = improvement_trials(request);
+  const TrialRange trials = trials_of(request);
   for (std::int64_t trial = trials.first; trial < trials.end; ++trial) {
     const ImprovementStart start = improvement_start(request, trial);
     for (SelectionCase& c : run_selection(start, request.resolved.scenario.slam, trial)) {

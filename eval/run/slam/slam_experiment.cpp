@@ -6,7 +6,6 @@
 #include <future>
 #include <iterator>
 
-#include "algo/types/user_error.h"
 #include "eval/io/context.h"
 #include "eval/io/safe_file.h"
 #include "eval/io/tum.h"
@@ -29,25 +28,14 @@ struct SlamResults {
   std::vector<ReportFigure> figures;
 };
 
-std::vector<std::int64_t> asked_slam_trials(const RunRequest& request) {
-  const std::int64_t trials = request.resolved.scenario.trials;
-  if (request.trial.value_or(0) >= trials) {
-    throw UserError(fmt::format("--trial {}: {} has the trials 0 to {}", *request.trial,
-                                request.resolved.file.string(), trials - 1));
-  }
-  if (request.trial) return {*request.trial};
-  std::vector<std::int64_t> asked;
-  for (std::int64_t trial = 0; trial < trials; ++trial) asked.push_back(trial);
-  return asked;
-}
-
 /// Drives every trial; the last drive is worked on beside the casting of the next.
 std::vector<SlamTrial> drive_and_improve(const RunRequest& request) {
   const Scenario& scenario = request.resolved.scenario;
   const auto policy = request.threads > 1 ? std::launch::async : std::launch::deferred;
   std::vector<SlamTrial> trials;
   std::future<SlamTrial> last;
-  for (const std::int64_t trial : asked_slam_trials(request)) {
+  const TrialRange range = trials_of(request);
+  for (std::int64_t trial = range.first; trial < range.end; ++trial) {
     SlamDrive drive = drive_for_slam(scenario, trial, request.threads,
                                      fmt::format("trial {} of {}", trial, scenario.trials));
     if (last.valid()) trials.push_back(last.get());
