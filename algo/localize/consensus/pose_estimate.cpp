@@ -7,10 +7,9 @@
 namespace honka {
 namespace {
 
-/// A strain counts once an unstrained frame shows it once in 5,000 (chi-square, three degrees of
-/// freedom), and from a part in a hundred on, which is 8° of tilt: less is what noise and a bent
-/// map do, and moves the pose by less than they.
-constexpr double kCertainSquaredSds = 20.0;
+/// A strain counts seven standard deviations beyond none (three numbers together), and from a part
+/// in a hundred on, which is 8° of tilt: less is what noise, wrong partners and a bent map do.
+constexpr double kCertainSquaredSds = 50.0;
 constexpr double kLeastStrain = 0.01;
 
 double squared_sds(const Eigen::Vector3d& strain, const Eigen::Matrix3d& covariance) {
